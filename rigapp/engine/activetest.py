@@ -1,4 +1,4 @@
-"""The test under way, or the last one: what it is, what it has come to, and how it ends."""
+"""The test under way, or the last one: its step, its file, its progress, its end."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ STEPS_LOGGED = 500
 
 @dataclass(slots=True, eq=False)
 class Rest:
-    """A rest between two steps: it lasts so long from when the crank stands.
+    """A rest between two steps; its duration begins when the crank is stationary.
 
-    step: after which it is. since_s: host time since which it stands, None before. signals: of the
+    step: after which it is. since_s: host time of the standstill, None before. signals: of the
     load cell at that time.
     """
 
@@ -50,8 +50,8 @@ class ActiveTest:
     stage: the step that the crank is in; changes: of step, so far. approach: how a regular end
     brings the crank to its rest. resting: the rest between two steps, None while there is none.
     fresh: its file was made by its own start. steady_from: ordinal of the first whole revolution at
-    the set speed, None while it changes. off: power is off, or was asked to be. stood: the spindle
-    was seen to stand at the end, or could not be shown to.
+    the set speed, None while it changes. off: power is off, or was commanded off. stood: the
+    spindle was stationary at the end, or could not be shown to be.
     """
 
     document: Document[TestFile]
@@ -86,7 +86,7 @@ class ActiveTest:
 
     @property
     def logs_steps(self) -> bool:
-        """Tell whether the log has room for the present change of step."""
+        """Return whether the log has room for the present change of step."""
         return self.changes <= STEPS_LOGGED
 
     @property
@@ -105,12 +105,12 @@ class ActiveTest:
         return self.recorder.rows
 
     def begin(self, sample: int) -> None:
-        """Take note of the device sample at which its time starts."""
+        """Set the device sample at which its time starts."""
         self.run.begin(sample)
         self.recorder.begin(sample)
 
     def end(self, ending: Ending) -> bool:
-        """Take note of an end; True when the drive must be told.
+        """Record an end; True when the drive must be commanded.
 
         For the first, for off, and for what is not regular: it forbids to turn on to the rest.
         """

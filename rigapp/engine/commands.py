@@ -1,4 +1,4 @@
-"""Start a test, change a limit or its length, and say who ended it."""
+"""Start a test, change a limit or its length, and name who ended it."""
 
 from __future__ import annotations
 
@@ -214,7 +214,7 @@ def _last_depth(worn: SpecimenWear | None) -> KnownDepth | None:
 
 
 def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -> StopMonitor:
-    """Return the criteria with what they know of an earlier segment; raise UnusableInput."""
+    """Return the criteria with the history of an earlier segment; raise UnusableInput."""
     stops = StopMonitor(test.stop)
     try:
         if stops.any:
@@ -279,12 +279,12 @@ def extend(core: Core, revolutions: int, operator: str, reason: str) -> None:
 
 
 def ended_by(operator: str, reason: str, *, off: bool) -> Sentence:
-    """Return that somebody ended a test; reason: in their own words, never translated."""
-    who = capitalised(operator) or say("The operator")
-    done = say("{} switched the drive off", who) if off else say("{} stopped the test", who)
+    """Return who ended a test, and why; reason: in their own words, never translated."""
+    name = capitalised(operator) or say("The operator")
+    done = say("{} switched the drive off", name) if off else say("{} stopped the test", name)
     return done + (_why(reason) or ".")
 
 
 def _why(reason: str) -> str:
-    """Return a reason as it follows what was done; empty without one."""
+    """Return a reason as the end of a sentence; empty without one."""
     return say(": {}", reason.strip()) if reason.strip() else ""

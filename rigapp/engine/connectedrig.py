@@ -1,4 +1,4 @@
-"""The devices of a rig while they are connected, and what they show now."""
+"""The devices of a rig while they are connected, and their newest readings."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rigapp.engine.core import Core
 from rigapp.engine.devices import Devices
 from rigapp.engine.drive.driving import SpindleControl
 from rigapp.engine.drive.sequences import StandstillEvidence
-from rigapp.engine.identifying import told_by
+from rigapp.engine.identifying import identity_record
 from rigapp.engine.processing import Processor
 from rigapp.engine.samples.buffers import BlockQueue
 from rigapp.engine.samples.slow import SlowChannels, SlowDevice
@@ -31,10 +31,10 @@ PACED_SAMPLES = 4096
 takes in ``queue_age`` if that is more: a stop is not seen late, and no pass is idle."""
 
 FRESH_S = 0.5
-"""An older sample says nothing about what the crank does now."""
+"""An older sample does not show the crank's present motion."""
 
 SLOWEST_PACE = 0.02
-"""A simulated rig that runs slower than this has hung: nobody waits for it in proportion."""
+"""A simulated rig that runs slower than this has hung: time-outs are not stretched any more."""
 
 SHORT_SILENCE_S = 2.0
 """A start waits for the end of a silence that has not lasted so long, and refuses a longer one."""
@@ -45,7 +45,7 @@ class ConnectedRig:
 
     The threads of a ``Connection`` feed it; any thread may read it. received_s: host time of the
     newest samples; in_hand_ns: that of the block being processed, None between two. is_processing:
-    whether the thread that processes them is well; samples that it left behind prove nothing.
+    whether the thread that processes them runs; samples that it has not processed prove nothing.
     """
 
     def __init__(
@@ -84,11 +84,11 @@ class ConnectedRig:
         )
 
     def _open_slow(self, source: GuardedSlow, request: SlowRequest) -> SlowDevice:
-        """Return a slow source with its thread, whose death is warned of and ends nothing."""
+        """Return a slow source with its thread, whose failure raises a warning only."""
 
         def opened(identity: Identity, readback: Mapping[str, str | float | int]) -> None:
             self.devices.identities[source.name] = identity
-            self.devices.readback[source.name] = {**told_by(identity), **readback}
+            self.devices.readback[source.name] = {**identity_record(identity), **readback}
 
         def died(worker: Worker, error: BaseException) -> None:
             self._core.act_on(slow_silent(source, 0.0, say("it failed ‹{}›", repr(error))))
@@ -98,7 +98,7 @@ class ConnectedRig:
     # --- what a start waits for ------------------------------------------------------------------
 
     def not_yet(self, stale_data_s: float) -> str:
-        """Return what a start has to wait for, in words; empty when nothing."""
+        """Return what a start waits for, as a phrase; empty for nothing."""
         silence = self._silence(stale_data_s)
         cut_off = self.processor.saturated.intersection(self._core.table.names_of(LOAD_CELL))
         if silence or not cut_off:
@@ -122,7 +122,7 @@ class ConnectedRig:
             self.closing.wait(0.01)
 
     def ramp_deadline_s(self, rpm: float, rpm_per_s: float) -> float:
-        """Return the host time at which a speed must be reached or left that is commanded now."""
+        """Return the host time by which a speed commanded now must be reached or left."""
         ramp_s = 2.0 * self.slow() * rpm / rpm_per_s
         return time.monotonic() + self._core.timing.start_margin + ramp_s
 
@@ -130,7 +130,7 @@ class ConnectedRig:
 
     @property
     def backed_up(self) -> bool:
-        """Tell whether the reader leaves samples on the wire until those before are processed.
+        """Return whether the reader leaves samples on the wire until those before are processed.
 
         Only simulated samples wait so: their time waits on the wire with them, which makes
         ``--speed max`` as fast as the engine. A real device would lose them.
@@ -141,7 +141,7 @@ class ConnectedRig:
     def queue_age_s(self) -> float:
         """Return the age of the oldest samples that are not processed yet, 0 when none wait."""
         waiting = (self.in_hand_ns, self.queue.oldest_ns)
-        oldest = min((one for one in waiting if one is not None), default=None)
+        oldest = min((age for age in waiting if age is not None), default=None)
         return 0.0 if oldest is None else max(0.0, self.age_s(oldest * 1e-9))
 
     def data_age_s(self) -> float:
@@ -149,10 +149,10 @@ class ConnectedRig:
         return time.monotonic() - self.received_s
 
     def age_s(self, since_s: float) -> float:
-        """Return how long ago a host time was, as a silence is judged.
+        """Return the age of a host time, to judge a silence by.
 
-        A simulated rig runs on this computer: a time for which it did not let the engine run is
-        not held against it. A real rig, or one of which a part is real, is judged by the clock.
+        A simulated rig runs on this computer: time in which the computer did not run the engine is
+        not counted. A rig with a real device is judged by the clock.
         """
         now = time.monotonic()
         late = self.lateness.since(since_s, now) if self._simulated else 0.0
@@ -162,7 +162,7 @@ class ConnectedRig:
 
     @property
     def swinging(self) -> bool:
-        """Tell whether the crank may turn as it likes: its power is off, or was asked to be.
+        """Return whether the crank may turn freely: its power is off, or was commanded off.
 
         The spring can swing it faster than it ran. That follows from the stop, and is no alarm.
         """
@@ -175,7 +175,7 @@ class ConnectedRig:
 
     @property
     def coasting(self) -> bool:
-        """Tell whether the crank turns without power in a stop: the spring drives it."""
+        """Return whether the crank turns without power in a stop: the spring drives it."""
         return (
             self._core.state is RunState.STOPPING
             and self.control.power_cut
@@ -183,7 +183,7 @@ class ConnectedRig:
         )
 
     def is_stationary(self) -> bool:
-        """Tell whether the crank stands; waits for enough data to tell."""
+        """Return whether the crank is stationary; waits for enough data."""
         window = self._core.timing.standing
         deadline = time.monotonic() + 4.0 * window * self.slow() + 0.5
         while not self.processor.motion.standing(window):

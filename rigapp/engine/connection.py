@@ -7,7 +7,7 @@ thread         does
 ``process``    overload, assemble, calibrate, reduce, limits, store, publish
 ``commit``     makes the file safe about once a second, and finishes it
 ``drive``      polls the drive and so feeds its watchdog, while all others are well; stops it
-``supervise``  looks at all of them, at the age of the data and at the time a stop takes
+``supervise``  monitors all of them, the age of the data and the duration of a stop
 =============  ===================================================================================
 """
 
@@ -44,7 +44,7 @@ WAITS_IN_VAIN = 3
 reader wait lets it read, so what is missing then is not on the wire."""
 
 ASLEEP_S = 0.5
-"""The drive's thread looks more often; after a longer pause the whole program may have slept."""
+"""The drive's thread runs more often; after a longer pause the whole program may have slept."""
 
 AGAIN_AFTER_S = 60.0  # the same remark at most once a minute
 KEPT = 64  # different remarks; more of them repeat
@@ -87,7 +87,7 @@ class DeviceLog(logging.Handler):
 class Connection:
     """Run the threads of a connected rig.
 
-    supervise: makes the supervising thread's look at this connection.
+    supervise: makes the check of this connection that the supervising thread repeats.
     """
 
     def __init__(
@@ -146,7 +146,7 @@ class Connection:
 
     @property
     def sound(self) -> bool:
-        """Tell whether every thread lives."""
+        """Return whether every thread is alive."""
         return not any(worker.ended for worker in self.workers)
 
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
@@ -253,9 +253,9 @@ class Connection:
         self.drive.pause(timing.aim if busy else min(PROMPT_S, timing.poll))
 
     def _watch_the_supervisor(self) -> None:
-        """End the test when the thread that looks at all others hangs: nobody else would tell.
+        """End the test when the supervising thread hangs, which no other thread would report.
 
-        A time for which this thread did not run either is not held against it.
+        Time in which this thread did not run either is not counted.
         """
         supervise, now = self.supervise, time.monotonic()
         if now - self._looked_s > ASLEEP_S:
@@ -270,26 +270,26 @@ class Connection:
             self.core.act_on(silent_thread(supervise))
 
     def all_well(self) -> bool:
-        """Tell whether the drive's watchdog may be fed: threads well and data fresh."""
+        """Return whether the drive's watchdog may be fed: threads well and data fresh."""
         others = (self.reader, self.process, self.commit, self.supervise)
         age = self.rig.age_s(self.rig.received_s)
-        return all(one.well for one in others) and age < self.core.limits.stale_data_s
+        return all(thread.well for thread in others) and age < self.core.limits.stale_data_s
 
     def silence_s(self) -> float:
         """Return for how long samples are outstanding, in the time in which stale data are judged.
 
         That of the rig: a simulated one may be faster than the host's clock, and the drive's count
-        tells its time, once the reader has waited in vain often enough that none can be on the way.
+        gives its time, once the reader has waited in vain often enough that none can be on the way.
         """
         age_s = self.rig.age_s(self.rig.received_s)
         if not self.core.rig.record.simulated_samples or self._waits_in_vain < WAITS_IN_VAIN:
             return age_s
         return max(age_s, self.guard.gaps.outstanding_s())
 
-    # --- death -----------------------------------------------------------------------------------
+    # --- failure ---------------------------------------------------------------------------------
 
     def _died(self, worker: Worker, error: BaseException) -> None:
-        """Bring the rig into a safe state: a thread has died."""
+        """Bring the rig into a safe state after a thread has failed."""
         self.core.act_on(
             make_alarm("thread", worker.name, sentence=say("failed ‹{}›", repr(error)))
         )

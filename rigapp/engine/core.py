@@ -47,7 +47,7 @@ from rigapp.texts import joined, say
 log = logging.getLogger(__name__)
 
 SLOW_DISK_S = 2.0
-"""A commit that takes longer is told; it takes some milliseconds on a sound disk."""
+"""A commit that takes longer is reported; it takes some milliseconds on a sound disk."""
 
 CALM_COMMITS = 20
 """Quick commits in a row after which a disk counts as sound again."""
@@ -59,19 +59,19 @@ TRIGGERS = frozenset({"limit", "note"})
 """Kinds of events around which whole cycles are kept, beside every alarm that rises."""
 
 NO_FILE = say("No revolution was made, so no file is left.")
-"""Told at the end of a test that failed at its start."""
+"""Reported at the end of a test that failed at its start."""
 
 TOGETHER_NS = 10_000_000
 """Two clocks read within so long are read together: what is tied to UTC is good to that."""
 
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
-"""Revolutions with one of these flags are no food for the prediction."""
+"""Revolutions with one of these flags are not passed to the prediction."""
 
 
 class Core:
-    """The shared heart of the engine; any thread may call it.
+    """The state that the engine's threads share; any thread may call it.
 
-    on_measured: told of every sound revolution; must return at once. awake: see ``Engine``.
+    on_measured: called with every sound revolution; must return at once. awake: see ``Engine``.
     """
 
     def __init__(
@@ -112,7 +112,7 @@ class Core:
         return self._reason
 
     def fire(self, trigger: Trigger, reason: str = "") -> RunState:
-        """Carry out a transition and tell everyone; raise Refused."""
+        """Carry out a transition and publish it; raise Refused."""
         with self._changed:
             state = self._set(transition(self._state, trigger), reason)
         self._announce(state, reason)
@@ -149,8 +149,8 @@ class Core:
         self._changed.notify_all()
         return state
 
-    def told_again(self, reason: str) -> None:
-        """Tell everyone the state once more, with another reason."""
+    def republish(self, reason: str) -> None:
+        """Publish the state again, with another reason."""
         self._announce(self._state, reason)
 
     def _announce(self, state: RunState, reason: str) -> None:
@@ -185,7 +185,7 @@ class Core:
     ) -> bool:
         """Write to the log of the test under way, and to that of the program.
 
-        key: what the line is about. level: how bad it is. data: what programs read of it. False
+        key: the subject of the line. level: its severity. data: the same for programs. False
         when the log has no room for it.
         """
         details = tree_of(data) if data is not None else {}
@@ -229,7 +229,7 @@ class Core:
         self.alarms.raise_alarm(cause, self.revolution)
 
     def act_on(self, cause: Cause, off: bool = False) -> None:
-        """Raise an alarm and do what the table says of it; off: without power in any case."""
+        """Raise an alarm and take the action of its kind; off: without power in any case."""
         kind = cause.kind
         if kind.stop is None:
             self.warn(cause)
@@ -282,14 +282,14 @@ class Core:
             self.act_on(make_alarm("storage", sentence=sentence))
 
     def reached_standstill(self, witnesses: str, how: str) -> None:
-        """Take note that the spindle stands; the file can be finished."""
+        """Record that the spindle is stationary; the file can be finished."""
         if self.test is not None and not self.test.reached_standstill:
             how = say("the spindle stands {}; seen by {}", how, witnesses)
             self.event("stopped", "drive", how)
             self.test.reached_standstill = True
 
     def stop_without_effect(self, drive: str) -> None:
-        """Take note that the crank turns on although the drive has confirmed the power-off."""
+        """Warn that the crank turns on although the drive has confirmed the power-off."""
         sentence = say(
             "{} confirmed the power-off, but the crank turns on. It is left to its watchdog.", drive
         )
@@ -298,14 +298,14 @@ class Core:
             self.test.fault_sentence = self.test.fault_sentence or sentence
 
     def stop_unseen(self, drive: str) -> None:
-        """Take note that only the drive says that the spindle stands."""
+        """Warn that only the drive reports that the spindle is stationary."""
         cause = make_alarm("stop_unseen", drive=drive)
         self.warn(cause)
         if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or cause.sentence
 
     def will_not_stop(self, sentence: str) -> None:
-        """Take note that the spindle could not be shown to stand."""
+        """End a stop whose spindle could not be shown to be stationary."""
         self.warn(make_alarm("will_not_stop", sentence=sentence))
         if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or sentence
@@ -315,7 +315,7 @@ class Core:
 
     @contextmanager
     def _filing(self) -> Iterator[ActiveTest | None]:
-        """Give the test whose file is open, None without one; what fails there ends the test."""
+        """Yield the test whose file is open, None without one; a failure inside ends the test."""
         test = self.test
         if test is None or test.finished:
             yield None
@@ -406,19 +406,19 @@ class Core:
             test.committed = rows
             self.publisher.notice(Committed(rows))
 
-    def look_after_file(self) -> None:
+    def restore_file(self) -> None:
         """Give the file of the test its name back when it was deleted, moved or replaced."""
         with self._filing() as test:
             if test is None:
                 return
-            found = test.recorder.watch_path(self._file_moved)
+            report = test.recorder.watch_path(self._file_moved)
             test.path = test.recorder.path
-            if found is not None and not found.saved:
-                self.warn(make_alarm("file_unsaved", sentence=found.sentence))
+            if report is not None and not report.saved:
+                self.warn(make_alarm("file_unsaved", sentence=report.sentence))
                 return
             self.alarms.clear("file_unsaved")
-            if found is not None:
-                self._file_moved(found.sentence)
+            if report is not None:
+                self._file_moved(report.sentence)
             self.alarms.clear("file_moved")
 
     def _file_moved(self, sentence: str) -> None:
@@ -440,11 +440,11 @@ class Core:
 
     @property
     def finish_due(self) -> bool:
-        """Tell whether a test waits for its file to be finished."""
+        """Return whether a test waits for its file to be finished."""
         return self.test is not None and self.test.reached_standstill and not self.test.finished
 
     def finish(self) -> None:
-        """Finish the file of a test whose spindle stands, and reach stopped or fault."""
+        """Finish the file of a test whose spindle is stationary, and reach stopped or fault."""
         test = self.test
         if test is None or not test.reached_standstill:
             return
@@ -455,7 +455,7 @@ class Core:
             then = test.fault_sentence
             if then and then not in ending.sentence:
                 ending = replace(ending, sentence=say("{} Then: {}", ending.sentence, then))
-            self.look_after_file()
+            self.restore_file()
             ending = self._close_file(test, ending)
             test.path = test.recorder.path
             fault, rows = ending.fault or bool(then), test.recorder.committed
@@ -514,7 +514,7 @@ class Core:
         return seconds - self.utc(ns, 0.0)
 
     def anchor_time(self) -> None:
-        """Tie the monotonic clock to UTC anew."""
+        """Tie the monotonic clock to UTC again."""
         self.anchor = _both_clocks()
 
     def require(self, condition: bool, sentence: str) -> None:

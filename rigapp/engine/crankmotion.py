@@ -1,4 +1,4 @@
-"""Turn the crank as a test wants it: steps, pauses, rests, and what a stop has come to."""
+"""Turn the crank as a test requires: steps, pauses, rests, stops."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ class CrankMotion:
         self._rig.processor.begin_test()
 
     def pause(self, reason: str) -> bool:
-        """Begin to pause at the safe angle, when the state allows it; tell whether it does.
+        """Begin to pause at the safe angle, when the state allows it; return whether it does.
 
-        A rest between two steps becomes a pause: the test goes on when somebody says so.
+        A rest between two steps becomes a pause: the test goes on at the operator's command.
         """
         core, test = self._core, self._core.test
         if test is None:
             return False
         if test.resting is not None:
             test.resting = None
-            core.told_again(say("the rest has become a pause: {}", reason))
+            core.republish(say("the rest has become a pause: {}", reason))
             return True
         if not core.fire_if(Trigger.PAUSE, reason):
             return False
@@ -51,7 +51,7 @@ class CrankMotion:
     def start_step(self, stage: StepPlace) -> None:
         """Begin the next step of the test: rest before it, or go to its speed.
 
-        In a pause of the operator the speed is taken up when he goes on, and the pause is the rest.
+        In an operator's pause the speed applies from the resume on, and the pause is the rest.
         """
         core, test = self._core, self._core.test
         if test is None:
@@ -101,7 +101,7 @@ class CrankMotion:
             raise
 
     def follow(self, do: DriveStep) -> None:
-        """Take note of what a step of a pause or a stop has come to."""
+        """Act on the result of a step of a pause or a stop."""
         core, control = self._core, self._control
         stop = control.stopping
         if stop is None:
@@ -132,7 +132,7 @@ class CrankMotion:
             )
 
     def _turns_by_itself(self) -> None:
-        """Tell of a crank that turns without a command; one without power is turned by hand."""
+        """Report a crank that turns without a command; one without power is turned by hand."""
         status, rpm = self._control.status, self._rig.processor.motion.speed_rpm()
         if status is not None and status.enabled:
             drive = self._rig.spindle.name

@@ -10,7 +10,7 @@ from typing import Any, NoReturn, cast
 from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
-from rigapp.engine.identifying import stranger, together, told_by
+from rigapp.engine.identifying import identity_record, stranger, together
 from rigapp.engine.wirerecording import WireRecording
 from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import (
@@ -48,15 +48,15 @@ from rigapp_drivers.wire.ports import beside
 LoadDriver = Callable[[str], DriverInfo]
 
 KINDS = {"mV/V": "bridge", "V": "voltage"}
-"""Unit of an input's signal -> what the data source is asked to measure there."""
+"""Unit of an input's signal -> quantity that the data source measures there."""
 
 
 @dataclass(slots=True)
 class Devices:
     """The devices of a rig: one source of samples, one spindle, slow sources with their requests.
 
-    A slow source is opened and asked by a thread of its own (``samples.slow``). explain: adds to an
-    error of opening who answers in the place of the device.
+    A slow source is opened and read by a thread of its own (``samples.slow``). explain: adds to an
+    error of opening which other device answers.
     """
 
     source: GuardedSource
@@ -94,7 +94,7 @@ class Devices:
             raise together([*errors, *self._silent_slow()])
 
     def _silent_slow(self) -> Iterator[DeviceError]:
-        """Yield why slow sources do not open; each is looked at and released again."""
+        """Yield why slow sources do not open; each is opened and released again."""
         for device, _ in self.slow:
             try:
                 device.open()
@@ -104,7 +104,7 @@ class Devices:
                 device.close()
 
     def _note(self, device: Guarded, readback: Mapping[str, str | float | int]) -> None:
-        self.readback[device.name] = {**told_by(self.identities[device.name]), **readback}
+        self.readback[device.name] = {**identity_record(self.identities[device.name]), **readback}
 
     def close(self) -> None:
         """Stop and release all of them; the drive first, since closing it stops the motor."""
@@ -114,7 +114,7 @@ class Devices:
 
 @dataclass(frozen=True, slots=True)
 class DevicePlan:
-    """What the devices of a rig file will be asked for: names, drivers, settings, requests."""
+    """The requests to the devices of a rig file: names, drivers, settings, requests."""
 
     source: str
     source_driver: DriverInfo
@@ -128,7 +128,7 @@ class DevicePlan:
 def plan_devices(
     rig: RigFile, where: str = say("rig file"), load: LoadDriver = load_driver
 ) -> DevicePlan:
-    """Return what the devices will be asked for; raise UnusableInput where one cannot do it.
+    """Return the requests to the devices; raise UnusableInput where one cannot be fulfilled.
 
     Nothing is opened. where: the file, for the sentence.
     """
@@ -169,12 +169,12 @@ def plan_devices(
 def _check_drive_quantities(
     rig: RigFile, info: DriverInfo, settings: Mapping[str, Any], where: str
 ) -> None:
-    """Refuse a slow channel of something that the drive does not tell."""
-    for one in channel_table(rig).slow:
-        if one.device != rig.spindle.device:
+    """Refuse a slow channel of a quantity that the drive does not measure."""
+    for channel in channel_table(rig).slow:
+        if channel.device != rig.spindle.device:
             continue
-        needed = info.needed.get(one.input, "")
-        if one.input not in info.quantities:
+        needed = info.needed.get(channel.input, "")
+        if channel.input not in info.quantities:
             wrong = say(
                 "a {} tells {}",
                 info.title,
@@ -182,33 +182,33 @@ def _check_drive_quantities(
             )
         elif needed and not settings[needed]:
             wrong = say(
-                "give devices.{}.settings.{}, without which none is told", one.device, needed
+                "give devices.{}.settings.{}, without which none is told", channel.device, needed
             )
         else:
             continue
-        source = say("channels.{}.source = '{}.{}'", one.name, one.device, one.input)
+        source = say("channels.{}.source = '{}.{}'", channel.name, channel.device, channel.input)
         raise UnusableInput("{}: {}: {}", where, source, wrong)
 
 
 def _slow_requests(
     rig: RigFile, where: str, load: LoadDriver
 ) -> Iterator[tuple[str, tuple[DriverInfo, SlowRequest]]]:
-    """Yield what each slow device will be asked for; raise UnusableInput where it cannot tell."""
-    slow = [one for one in channel_table(rig).slow if one.device != rig.spindle.device]
-    for name in dict.fromkeys(one.device for one in slow):
-        wanted = [one for one in slow if one.device == name]
+    """Yield the request to each slow device; raise UnusableInput where it cannot be fulfilled."""
+    slow = [channel for channel in channel_table(rig).slow if channel.device != rig.spindle.device]
+    for name in dict.fromkeys(channel.device for channel in slow):
+        wanted = [channel for channel in slow if channel.device == name]
         try:
             info, settings = _driver(rig, name, DriverKind.SLOW_SOURCE, where, load)
         except UnusableInput as error:
             if not isinstance(error.__cause__, DriverBroken):
                 raise
             info, settings = _broken(rig.devices[name].driver, error.__cause__), {}
-        request = SlowRequest(tuple(dict.fromkeys(one.input for one in wanted)), settings=settings)
-        for one in wanted:
-            wrong = _objection(info, replace(request, quantities=(one.input,)))
+        request = SlowRequest(tuple(dict.fromkeys(own.input for own in wanted)), settings=settings)
+        for own in wanted:
+            wrong = _objection(info, replace(request, quantities=(own.input,)))
             if wrong:
                 raise UnusableInput(
-                    "{}: channels.{}.source = '{}.{}': {}", where, one.name, name, one.input, wrong
+                    "{}: channels.{}.source = '{}.{}': {}", where, own.name, name, own.input, wrong
                 )
         yield name, (info, request)
 
@@ -298,7 +298,7 @@ def make_devices(
 
 
 class Unusable:
-    """A slow source whose driver cannot be had: it says why, and the rig goes on without it."""
+    """A slow source whose driver cannot be loaded: opening it fails with the reason."""
 
     def __init__(self, error: DeviceError) -> None:
         self._error = error
@@ -322,7 +322,7 @@ def _slow_source(
 
 
 def _broken(driver: str, error: DriverBroken) -> DriverInfo:
-    """Return what stands for the driver of a slow source whose package cannot be loaded."""
+    """Return a stand-in for the driver of a slow source whose package cannot be loaded."""
 
     def fails(name: str, port: str, settings: Mapping[str, Any]) -> NoReturn:
         raise ConnectionFailed(name, port, sentence_of_error(error)) from error
@@ -368,7 +368,7 @@ class Making:
     record: WireRecording
 
     def driver(self, name: str, info: DriverInfo, settings: Mapping[str, Any]) -> Guarded:
-        """Return the driver of a device, behind the edge; raise UnusableInput, DeviceError."""
+        """Return the guarded driver of a device; raise UnusableInput, DeviceError."""
         device = self.rig.devices[name]
         port = beside(self.record.folder, self.ports.get(name, device.port))
         if port == "simulated":
@@ -383,7 +383,7 @@ class Making:
     def explain(self, error: DeviceError, device: Guarded) -> DeviceError:
         """Return the error of opening a device, or that another one answers on its port.
 
-        A UART adapter's port is not asked: a motor controller takes any byte for a speed.
+        A UART adapter's port is not probed: a motor controller takes any byte for a speed.
         """
         missing = isinstance(error, ConnectionFailed | WrongDevice)
         if device.name in self.ports or not missing or has_speed(device.port):

@@ -1,4 +1,4 @@
-"""Run tests on a rig: the one object that a service, a command line or a script talks to.
+"""Run tests on a rig: the object that a service, a command line or a script calls.
 
 Every public method may be called from any thread. A command returns when it is accepted, not when
 it is carried out; ``wait`` waits for a state. A command that means nothing now raises ``Refused``;
@@ -30,7 +30,7 @@ from rigapp.engine.recording.store import OpenStore, open_file
 from rigapp.engine.resting import (
     RigAtRest,
     SignalView,
-    hear,
+    signal_view,
     signals_at_rest,
     take_zero,
     use_records,
@@ -78,11 +78,10 @@ class Engine:
     """Conduct a rig.
 
     rig: the rig file as read. ports: device name -> port in place of the rig file's (the simulated
-    rig's). load: finds drivers by name. open_store: makes the test file. on_measured: told of every
-    sound revolution, in the processing thread; must return at once. record_wire: where every
+    rig's). load: finds drivers by name. open_store: makes the test file. on_measured: gets every
+    sound revolution, in the processing thread; must return at once. record_wire: where each
     device's line is recorded, see ``WireRecording``. awake: keeps the computer awake while a test
-    runs, None where it need not be. ``subscribe`` and ``watch`` are
-    the publisher's.
+    runs, None where it need not be. ``subscribe`` and ``watch`` are the publisher's.
     """
 
     def __init__(
@@ -149,7 +148,7 @@ class Engine:
             self._refuse_in_fault()
 
     def _refuse_in_fault(self) -> None:
-        """Raise DeviceFault or InFault with the cause while the state is fault."""
+        """Raise DeviceFault or InFault with the cause in the state fault."""
         core, connection = self._core, self._connection
         if core.state is not RunState.FAULT:
             return
@@ -172,9 +171,9 @@ class Engine:
         try:
             calibration = calibration_of(core.rig.record, setup)
             connection = Connection(
-                core, devices, setup, calibration, lambda it: Supervisor(core, it).step
+                core, devices, setup, calibration, lambda c: Supervisor(core, c).step
             )
-            # What the new connection does not see again is over.
+            # What the new connection does not report again is over.
             core.alarms.clear_ended_by(Ends.TEST, Ends.CONNECTION, Ends.SEEN)
             connection.start()
         except BaseException:
@@ -225,7 +224,7 @@ class Engine:
     ) -> None:
         """Make the file of a test (or reopen it: ``resume``) and start to turn.
 
-        remarks: go into the log before the crank turns. worn: how far the specimen is worn by its
+        remarks: go into the log before the crank turns. worn: wear of the specimen by its
         last known depth, which the first one measured is compared with.
         Raises Refused (InFault with the cause where there is a fault, whenever it came),
         UnusableInput (the test contradicts the rig, the file cannot be made) or DeviceError (the
@@ -251,7 +250,7 @@ class Engine:
         transition(core.state, Trigger.START)
         if connection is None:
             raise Refused("no devices are connected; connect first")
-        give_back()  # what the test before had: the crank stands, and a pause harms nothing
+        give_back()  # memory of the test before: the crank is stationary, a pause is harmless
         self._operator = operator
         start_test(
             core,
@@ -365,8 +364,8 @@ class Engine:
     def acknowledge(self, key: str = "", operator: str = "") -> None:
         """Acknowledge an alarm, or all of them; raise Refused for an unknown key."""
         keys = [key] if key else [a.key for a in self._core.alarms.alarms() if not a.acknowledged]
-        for one in keys:
-            self._core.alarms.acknowledge(one, operator)
+        for alarm in keys:
+            self._core.alarms.acknowledge(alarm, operator)
 
     def shelve(self, key: str, reason: str, minutes: float, operator: str = "") -> None:
         """Hide an alarm for a limited time, with a reason; raise Refused."""
@@ -389,7 +388,7 @@ class Engine:
         self._core.act_on(make_alarm("service", sentence=sentence))
 
     def warn(self, kind: str, sentence: str) -> None:
-        """Warn of the messages, the queue or a test cut off; without a sentence that is over."""
+        """Warn of the messages, the queue or a test cut off; an empty sentence ends the warning."""
         cause = make_alarm(kind, sentence=sentence)
         if sentence:
             self._core.warn(cause)
@@ -419,11 +418,11 @@ class Engine:
     ) -> dict[str, tuple[float, float]]:
         """Take the present signals as zero of the load cell; returns it in signal units.
 
-        The crank must stand and the pin must be unloaded. The zero is a tare beside the
+        The crank must be stationary and the pin unloaded. The zero is a tare beside the
         calibration, which it does not touch. Only while no test is under way. Raises Refused,
         TimeoutError.
         """
-        unknown = [one for one in what if one != "load_cell"]
+        unknown = [name for name in what if name != "load_cell"]
         if unknown:
             raise Refused("only the load_cell can be zeroed, not {}", joined(", ", unknown))
         with self._command:
@@ -468,13 +467,13 @@ class Engine:
             raise Refused("{} before a test, with the devices connected", what)
         return self._rig
 
-    def hear(self, window_s: float) -> SignalView:
+    def signal_view(self, window_s: float) -> SignalView:
         """Return the electrical signals of the last seconds and the angle, for a calibration.
 
         Only while no test is under way; raises Refused.
         """
         simulated = self._core.rig.record.simulated
-        return hear(self._rig, self._core.state, window_s, simulated=simulated)
+        return signal_view(self._rig, self._core.state, window_s, simulated=simulated)
 
     @property
     def samples_processed(self) -> int:
@@ -485,7 +484,7 @@ class Engine:
     def _note_command(self, verb: str, operator: str, reason: str) -> None:
         self._core.event("command", operator or "operator", say("{} {}", verb, reason).strip())
 
-    # --- what is going on ------------------------------------------------------------------------
+    # --- state -----------------------------------------------------------------------------------
 
     @property
     def state(self) -> RunState:
@@ -499,7 +498,7 @@ class Engine:
         return active.outcome if active is not None else None
 
     def status(self) -> Status:
-        """Return everything a header shows, at this moment."""
+        """Return the status at this moment."""
         return build_status(
             self._core, self._connection, self._operator, self._opening, self._open_error
         )

@@ -1,4 +1,4 @@
-"""Judge what the samples show and act on it, in the processing thread."""
+"""Evaluate the samples and act on the result, in the processing thread."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ INDEX_SEARCH_REVOLUTIONS = 2.5
 
 SENSE_TURN = 0.125
 QUARTER_TURN = 0.25
-"""Between these turns of the encoder since the start its sense is compared with the drive's; later
+"""Within this turn of the encoder since the start its direction is compared with the drive's; later
 only while the drive has not answered since."""
 
 BACKWARDS_RPM = -1.0
@@ -59,11 +59,11 @@ CALMING = {
     "device_overrun": Flag.LOST_SAMPLES | Flag.GAP_BEFORE,
     "time_jump": Flag.TIME_JUMP,
 }
-"""Warnings that go by themselves, and the flags that keep them."""
+"""Warnings that end by themselves, and the flags that keep them."""
 
 
 class Guard:
-    """Act on what the samples of a connected rig show; see ``processing.SampleMonitor``."""
+    """Act on the samples of a connected rig; see ``processing.SampleMonitor``."""
 
     def __init__(self, core: Core, rig: ConnectedRig, motion: CrankMotion) -> None:
         self._core = core
@@ -130,7 +130,7 @@ class Guard:
         return True
 
     def saturated(self, inputs: frozenset[str]) -> None:
-        """Raise the alarms of these inputs, and let those of all others return."""
+        """Raise the alarms of these inputs, and end those of all others."""
         for name in self._rig.processor.calibration.names:
             for kind in ("saturated", "input_saturated") if name not in inputs else ():
                 self._core.alarms.clear(key_of(kind, name))
@@ -156,11 +156,11 @@ class Guard:
             run.act_on(cause)
 
     def calm(self) -> None:
-        """Take note that the force of a whole block is within the limit."""
+        """End the overload: the force of a whole block is within the limit."""
         self._calm = True
 
     def motion(self, speed_rpm: float) -> None:
-        """Look for overspeed, for a missing index, and for the set speed."""
+        """Check for overspeed, a missing index, and the set speed."""
         run, rig = self._core, self._rig
         state, test = run.state, run.test
         if self._calm and state not in ACTIVE:
@@ -187,7 +187,7 @@ class Guard:
             return
         if self._start_count is not None and self._senses_differ(self._start_count):
             return
-        # What was turned without an index before this start is not held against it.
+        # Turns without an index before this start do not count.
         self._turned_before = min(self._turned_before, turned)
         lost = turned - self._turned_before
         if lost > INDEX_SEARCH_REVOLUTIONS:
@@ -206,7 +206,7 @@ class Guard:
         self._compare_speeds(speed_rpm, test)
 
     def _changes(self, test: ActiveTest) -> None:
-        """Take note that the speed is being changed, or was until now."""
+        """Record that the speed is being changed, or was until now."""
         test.steady_from = None
         self._changed_in = self._rig.processor.assembler.ordinal
 
@@ -223,7 +223,7 @@ class Guard:
             self._core.act_on(cause)
 
     def _senses_differ(self, start_count: int) -> bool:
-        """End a test in whose first quarter turn encoder or drive show the crank going backwards.
+        """End a test in whose first quarter turn encoder or drive show the crank turning backwards.
 
         Tests turn forwards only; a pause may swing the crank later, so nothing is compared then.
         """
@@ -280,7 +280,7 @@ class Guard:
             self._motion.start_step(test.sequence.at(row.number + 1))
 
     def _is_steady(self, test: ActiveTest, revolution: Revolution) -> bool:
-        """Tell whether the speed was not being changed in any part of a revolution.
+        """Return whether the speed was not being changed in any part of a revolution.
 
         It began at the set speed, by its own samples: how many come in a block depends on the
         computer, and rows do not. A crank that never turns evenly enough is steady a revolution
@@ -315,16 +315,16 @@ class Guard:
             run.warn(make_alarm("count_mismatch", revolution=row.number))
         if flags & Flag.LOST_SAMPLES:
             self._warn_lost(self._rig.processor.assembler.lost_samples)
-        for key, bad in CALMING.items():
-            self._clear_if_ok(key, not flags & bad)
+        for key, mask in CALMING.items():
+            self._clear_if_ok(key, not flags & mask)
         for verdict in row.verdicts:
             self.verdict(verdict)
         if row.met is not None:
             self._end(test, row.met)
-        self._look_for_blind(test)
+        self._check_data(test)
 
-    def _look_for_blind(self, test: ActiveTest) -> None:
-        """Tell of stop criteria that nothing is known of, and when they are seen again."""
+    def _check_data(self, test: ActiveTest) -> None:
+        """Warn of stop criteria without a value, and end the warning when they have one again."""
         no_data = set(test.run.stops.no_data())
         for name in no_data - self._blind:
             self._core.warn(make_alarm("blind", name, name=CRITERIA[name].title))
@@ -345,7 +345,7 @@ class Guard:
             self._core.act_on(make_alarm("stop", met.name, name=name, sentence=sentence))
 
     def predicted(self, test: ActiveTest, values: Array) -> None:
-        """Judge what the twin predicts by the rules of the test."""
+        """Judge the twin's prediction by the rules of the test."""
         named = by_name(prediction_columns(), values)
         measured = self._core.table.place
         alone = {name: value for name, value in named.items() if name not in measured}
@@ -370,7 +370,7 @@ class Guard:
             self._end(test, met)
 
     def verdict(self, verdict: LevelPassed) -> None:
-        """Carry out what a rule of the test wants."""
+        """Carry out the action of a rule of the test."""
         run, cause = self._core, verdict.cause
         if not verdict.active:
             run.alarms.clear(cause.key)
@@ -389,13 +389,13 @@ class Guard:
 
 
 def _samples_missing(revolution: Revolution) -> bool:
-    """Tell whether samples are missing in or before a revolution: the encoder may have counted."""
+    """Return whether samples are missing in or before a revolution, even where they are counted."""
     known = Flag.LOST_SAMPLES | Flag.GAP_BEFORE | Flag.TIME_JUMP
     return revolution.skipped_counts != 0 or bool(revolution.flags & known)
 
 
 def _remarked(sentence: str, test: ActiveTest) -> str:
-    """Return why a test is complete, with what its wear depth lacks: nobody may believe it then."""
+    """Return why a test is complete, and why its wear depth is not to be believed, if so."""
     return say("{} {}", sentence, test.run.depth.remark).rstrip()
 
 

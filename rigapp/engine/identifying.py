@@ -1,4 +1,4 @@
-"""Which devices are there: what each says of itself, and who answers in the place of another."""
+"""Which devices are connected: what each reports of itself, and which answers for another."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from rigapp_drivers.edge import Guarded
 from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
 
 IDENTITY: Final = ("maker", "model", "firmware", "serial_number")
-"""What a device says of itself; in a file ``device_model`` and so on beside its settings."""
+"""What a device reports of itself; in a file ``device_model`` and so on beside its settings."""
 
 
-def told_by(identity: Identity) -> dict[str, str]:
-    """Return what a device said of itself as it is kept beside its settings."""
+def identity_record(identity: Identity) -> dict[str, str]:
+    """Return the identity of a device as it is kept beside its settings."""
     result = {f"device_{name}": getattr(identity, name) for name in IDENTITY}
     return {name: value for name, value in result.items() if value}
 
@@ -25,19 +25,19 @@ def told_by(identity: Identity) -> dict[str, str]:
 def stranger(device: Guarded, driver: str) -> WrongDevice | None:
     """Return the error that another device answers on a port, None where none is known there.
 
-    The port is asked on behalf of the other drivers; nothing moves, nothing is set.
+    The port is probed for the other drivers; nothing moves, nothing is set.
     """
     answer = ask(device.port, _others(driver)).answer
     if answer is None:
         return None
     identity = answer.identity
     number = identity.serial_number
-    who = " ".join(part for part in (identity.maker, identity.model) if part) or answer.title
+    name = " ".join(part for part in (identity.maker, identity.model) if part) or answer.title
     return WrongDevice.at(
         device,
         "a {} answers here{}; check whether ports are exchanged, and name this one for it"
         ' (driver = "{}").',
-        who,
+        name,
         say(" (serial number {})", number) if number else "",
         answer.driver,
     )
@@ -68,11 +68,11 @@ def _others(driver: str) -> list[DriverInfo]:
 
 
 def identity_words(readback: Mapping[str, object]) -> str:
-    """Return in words what a device has said of itself, from what is kept of it."""
+    """Return the identity of a device in words, from what is kept of it."""
     words = [str(readback.get(f"device_{name}", "")) for name in IDENTITY[:2]]
-    who = " ".join(word for word in words if word)
+    name = " ".join(word for word in words if word)
     firmware, number = (readback.get(f"device_{name}", "") for name in IDENTITY[2:])
-    parts = [who]
+    parts = [name]
     parts += [say("firmware {}", firmware)] if firmware else []
     parts += [say("serial number {}", number)] if number else []
     return joined(", ", [part for part in parts if part])

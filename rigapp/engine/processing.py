@@ -1,4 +1,4 @@
-"""What happens to a Block, in order: look for overload, assemble, look at the motion, hand over."""
+"""Process a Block, in order: check for overload, assemble, check the motion, hand over."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from rigapp_drivers.api import Block, SampleClock
 
 
 class SampleMonitor(Protocol):
-    """Act on what the samples show; called in the processing thread."""
+    """Act on the samples; called in the processing thread."""
 
     def begun(self, sample: int) -> None:
-        """Take note that the test begins with this device sample."""
+        """Begin the test with this device sample."""
 
     def overload(self, force_N: float, beyond_range: bool) -> None:
         """Act on a force above the limit, or NaN; beyond_range: force_N is a lower bound."""
@@ -37,10 +37,10 @@ class SampleMonitor(Protocol):
         """
 
     def saturated(self, inputs: frozenset[str]) -> None:
-        """Take note of the inputs that stay at the end of their range, channels."""
+        """Take the inputs that stay at the end of their range, as channels."""
 
     def calm(self) -> None:
-        """Take note that the force is within its limit again."""
+        """Act on a force that is within its limit again."""
 
     def motion(self, speed_rpm: float) -> None:
         """Act on the newest speed."""
@@ -49,18 +49,18 @@ class SampleMonitor(Protocol):
         """Take a revolution."""
 
     def lost(self, samples: int, seconds: float) -> None:
-        """Take note that samples were lost: all of them so far, and how long the gap is."""
+        """Act on lost samples: their number so far, and the duration of the gap."""
 
 
 SLOWED_SHARE = 0.8
-"""A crank that turned less than this share of what it should has met something. A drive holds its
+"""A crank that turned less than this share of its due has met an obstacle. A drive holds its
 speed within some per cent, and a cable that breaks slows nothing."""
 
 BEFORE_S = 0.4
 """The speed before a saturated sample is the mean of so long, which a jam has not slowed yet."""
 
 SAME_WINDOW = 0.95
-"""A window that is shorter by less than the rest is not begun anew: nobody sees the difference."""
+"""A window that is shorter by less than the rest is not restarted: the difference is invisible."""
 
 
 @dataclass(slots=True, eq=False)
@@ -106,9 +106,8 @@ class Live:
 class Processor:
     """Process the Blocks of one connection; ``handle`` belongs to the processing thread.
 
-    monitor: acts on what the samples show; set before the first block. next_sample: the device
-    sample that is expected next; saturated_until: the same behind the last
-    block with a saturated sample.
+    monitor: acts on the samples; set before the first block. next_sample: the device sample that is
+    expected next; saturated_until: the same behind the last block with a saturated sample.
     """
 
     monitor: SampleMonitor
@@ -168,7 +167,7 @@ class Processor:
 
     @property
     def live(self) -> Live | None:
-        """Return the newest sample, None before the first; calculated for who asks."""
+        """Return the newest sample, None before the first; calculated at each call."""
         block, calibration = self._newest, self.calibration
         if block is None:
             return None
@@ -179,7 +178,7 @@ class Processor:
             angle = self.motion.angle_deg(host_s)
         counts = None if angle is None else calibration.counts_at(math.radians(angle))
         values = calibration.engineering(raw, counts)[:, 0]
-        correction, pair = calibration.probes.correction, calibration.place(PROBES)
+        correction, pair = calibration.probes.correction, calibration.inputs_of(PROBES)
         if correction is not None:
             values[pair] = correction.at(
                 None if angle is None else math.radians(angle),
@@ -188,7 +187,7 @@ class Processor:
             )
         signals = calibration.signals(newest)[:, 0].tolist()
         named = dict(zip(calibration.names, values.tolist(), strict=True))
-        named["force"] = math.hypot(*values[calibration.place(LOAD_CELL)])
+        named["force"] = math.hypot(*values[calibration.inputs_of(LOAD_CELL)])
         return Live(
             signals=dict(zip(calibration.names, signals, strict=True)),
             values=named,
@@ -228,7 +227,7 @@ class Processor:
         return recent.read()
 
     def unfinished(self, timeout_s: float = 1.0) -> Revolution | None:
-        """Return what there is of the revolution under way; any thread may ask.
+        """Return the samples so far of the revolution under way; any thread may call it.
 
         None when there is nothing, or the processing thread is held up for longer than timeout_s.
         """
@@ -270,7 +269,7 @@ class Processor:
             self.monitor.revolution(revolution)
 
     def _look_for_overload(self, block: Block, ticks: NDArray[np.int64] | None) -> bool:
-        """Look at every force first; one that a saturated input shows is no measured one.
+        """Check every force first; one of a saturated input is not a measured one.
 
         Returns whether a sample is flagged as saturated.
         """
@@ -280,7 +279,7 @@ class Processor:
         over = not peak <= limit_N
         cut, measured = None, peak
         if over and full is not None:
-            pair = self.calibration.place(LOAD_CELL)
+            pair = self.calibration.inputs_of(LOAD_CELL)
             cut = full[pair]
             left = block.values.compress(~cut.any(axis=0), axis=1)
             measured = self._peak.of(left, turning)
@@ -303,7 +302,7 @@ class Processor:
     def _turning(self) -> tuple[float, float] | None:
         """Return the count of the next sample and the counts a sample; None before the index.
 
-        From the speed of before: what the pin weighs is small, and samples are judged as they come.
+        From the speed before: the pin's weight is small, and samples are judged as they come.
         """
         last = self.motion.newest()
         if last is None or last.phase is None:
@@ -326,14 +325,14 @@ class Processor:
         times = np.append(last.sample, times)[sample:]
         counts = np.append(newest.values[counter.row, -1], block.values[counter.row])[sample:]
         steps = counter.scale * np.diff(counts.astype(np.float64))
-        # The count begins anew at the index: that is no step of the crank.
+        # The count restarts at the index: that is no step of the crank.
         turned = np.abs((steps + turn / 2) % turn - turn / 2).sum()
         should = self.motion.counts_in(times[-1] - times[0], BEFORE_S)
-        # A count more or less is what the edges of the encoder leave unknown.
+        # The edges of the encoder leave one count unknown.
         return bool(turned <= SLOWED_SHARE * should - 1.0)
 
     def _stand(self, tick: int, host_s: float) -> None:
-        """Take note that no pulse has come: the device lives, the crank stands."""
+        """Record that no pulse has come: the device is alive, the crank is stationary."""
         last = self.motion.newest()
         count = self.assembler.motion.travel[1]
         if last is None or tick > last.sample:

@@ -1,7 +1,7 @@
-"""Hand results to viewers: bounded, drop-oldest, never waiting for anyone.
+"""Hand results to viewers: bounded, oldest dropped first, never blocking.
 
 A ``Subscription`` carries data for a screen, a ``NoticeStream`` the milestones of a run for a
-program that follows it. Both may be taken from any thread.
+program that follows it. Both may be read from any thread.
 """
 
 from __future__ import annotations
@@ -46,15 +46,15 @@ class NoticeStream:
 
     def _drop(self) -> None:
         self.dropped += 1
-        for place, item in enumerate(self._items):
+        for index, item in enumerate(self._items):
             if isinstance(item, Committed):
-                del self._items[place]
+                del self._items[index]
                 return
         self._items.popleft()
 
 
 class Subscription:
-    """Collect for one viewer; what it does not take in time is dropped, oldest first."""
+    """Collect for one viewer; data that it does not take in time are dropped, oldest first."""
 
     def __init__(self, units: Mapping[str, str], rows: int) -> None:
         self._units = dict(units)
@@ -68,7 +68,7 @@ class Subscription:
         self.rows_dropped = 0
 
     def restart(self, first_row: int) -> None:
-        """Begin with another file: rows of the last one are forgotten."""
+        """Begin with another file and drop the rows of the last one."""
         with self._lock:
             self._rows.clear()
             self._predictions.clear()
@@ -77,12 +77,12 @@ class Subscription:
             self._cycle = None
             self._next_row = first_row
 
-    def add_row(self, row: Array, place: int, cycle: Any) -> None:
-        """Add a row, its place in the file and a maker of its whole cycle."""
+    def add_row(self, row: Array, index: int, cycle: Any) -> None:
+        """Add a row, its index in the file and a maker of its whole cycle."""
         with self._lock:
             self.rows_dropped += len(self._rows) == self._rows.maxlen
             self._rows.append(row)
-            self._next_row = place + 1
+            self._next_row = index + 1
             self._cycle = cycle
 
     def add_prediction(
@@ -96,13 +96,13 @@ class Subscription:
 
     @property
     def waits(self) -> bool:
-        """Tell whether a revolution or its prediction waits to be taken."""
+        """Return whether a revolution or its prediction waits to be taken."""
         return self._cycle is not None or self._prediction is not None
 
     def take(self, status: Callable[[], Status]) -> Snapshot:
         """Return what is new since the last call, and forget it.
 
-        status: of the engine, asked after the rows were taken. The cycle is calibrated here, in the
+        status: of the engine, read after the rows were taken. The cycle is calibrated here, in the
         caller's time.
         """
         with self._lock:
@@ -127,7 +127,7 @@ class Subscription:
 
 
 class Publisher:
-    """Reach every viewer; a viewer can neither delay nor fail the engine.
+    """Publish to every viewer; a viewer can neither delay nor fail the engine.
 
     units: of the columns of a row, by name and in their order.
     """
@@ -140,17 +140,17 @@ class Publisher:
         self.next_row = 0
 
     def subscribe(self, rows: int = 100_000) -> Subscription:
-        """Return a bounded collection of rows, predictions and the newest cycle."""
-        one = Subscription(self._units, rows)
-        one.restart(self.next_row)
+        """Return a new bounded collection of rows, predictions and the newest cycle."""
+        subscription = Subscription(self._units, rows)
+        subscription.restart(self.next_row)
         with self._lock:
-            self._subscriptions = (*self._subscriptions, one)
-        return one
+            self._subscriptions = (*self._subscriptions, subscription)
+        return subscription
 
-    def unsubscribe(self, one: Subscription) -> None:
-        """Forget a viewer."""
+    def unsubscribe(self, subscription: Subscription) -> None:
+        """Remove a viewer."""
         with self._lock:
-            self._subscriptions = tuple(s for s in self._subscriptions if s is not one)
+            self._subscriptions = tuple(s for s in self._subscriptions if s is not subscription)
 
     def watch(self) -> NoticeStream:
         """Return a bounded stream of Committed, StateChanged, AlarmChanged and Finished."""
@@ -160,7 +160,7 @@ class Publisher:
         return stream
 
     def unwatch(self, stream: NoticeStream) -> None:
-        """Forget a follower."""
+        """Remove a stream."""
         with self._lock:
             self._streams = tuple(s for s in self._streams if s is not stream)
 

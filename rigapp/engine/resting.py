@@ -49,7 +49,7 @@ class RigAtRest:
 def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) -> Array:
     """Take the present signals as zero of the load cell and return the tare, (2,) in mV/V.
 
-    The crank must stand and the pin must be unloaded. Raises Refused, TimeoutError.
+    The crank must be stationary and the pin unloaded. Raises Refused, TimeoutError.
     """
     core.require(
         rig is not None and core.state in (RunState.READY, RunState.STOPPED),
@@ -61,7 +61,7 @@ def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) 
     signals = averaged(rig, core.timing.zero, patience_s).mean
     calibration = rig.processor.calibration
     cell = calibration.load_cell
-    tare = np.asarray(signals[calibration.place(LOAD_CELL)] - cell.zero, np.float64)
+    tare = np.asarray(signals[calibration.inputs_of(LOAD_CELL)] - cell.zero, np.float64)
     before = cell.tare
     degrees = rig.processor.motion.angle_deg(time.monotonic())
     core.require(
@@ -75,7 +75,7 @@ def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) 
     )
     rig.processor.set_tare(tare.tolist(), None if degrees is None else math.radians(degrees))
     why = say(": {}", reason.strip()) if reason.strip() else ""
-    shown = [np.array2string(one, precision=6) for one in (before, tare)]
+    shown = [np.array2string(values, precision=6) for values in (before, tare)]
     core.event("zero", operator or "operator", say("load cell zeroed{}", why), shown[0], shown[1])
     return tare
 
@@ -104,7 +104,7 @@ def averaged(rig: ConnectedRig, seconds: float, patience_s: float) -> Averaging:
 
 
 def signals_at_rest(core: Core, rig: ConnectedRig) -> RestSignals | None:
-    """Return what the load cell shows, mV/V; None when the crank moves or no samples come."""
+    """Return the load cell's signals, mV/V; None when the crank moves or no samples come."""
     if not rig.is_stationary():
         return None
     seconds = REST_SHARE * core.timing.zero
@@ -112,7 +112,7 @@ def signals_at_rest(core: Core, rig: ConnectedRig) -> RestSignals | None:
         seen = averaged(rig, seconds, 2.0 * seconds * rig.slow() + 1.0)
     except TimeoutError:
         return None
-    pair = rig.processor.calibration.place(LOAD_CELL)
+    pair = rig.processor.calibration.inputs_of(LOAD_CELL)
     (first, second), (noise, other) = seen.mean[pair].tolist(), seen.noise[pair].tolist()
     angle = rig.processor.motion.angle_deg(time.monotonic())
     if not np.isfinite([first, second]).all():
@@ -130,7 +130,7 @@ def note_rest(core: Core, rest: RestSignals | None, when: str = say("before the 
 
 
 def begin_rest(core: Core, rig: ConnectedRig, test: ActiveTest, rest: Rest) -> None:
-    """Note what the load cell shows at the beginning of a rest between two steps."""
+    """Note the load cell's signals at the beginning of a rest between two steps."""
     rest.signals = signals_at_rest(core, rig)
     if test.logs_steps:
         note_rest(core, rest.signals, say("at the beginning of a rest of {:g} s", rest.duration_s))
@@ -186,7 +186,7 @@ class SignalView(msgspec.Struct, frozen=True):
     probe_offset_V: list[float] = []
 
 
-def hear(
+def signal_view(
     rig: ConnectedRig | None, state: RunState, window_s: float, *, simulated: bool
 ) -> SignalView:
     """Return the signals of the last window_s (device time); raise Refused while a test runs.
@@ -233,7 +233,7 @@ def _quadratic(calibration: Calibration) -> list[list[float]] | None:
 def _angle_deg(rig: ConnectedRig) -> float | None:
     """Return the crank angle from the counter itself where it restarts at the index.
 
-    The count says where a standing crank is; the tracked phase, which serves a running one, may be
+    The count gives the angle of a stationary crank; the tracked phase, for a running one, may be
     withheld after a hand has turned the crank faster than a spindle can.
     """
     processor = rig.processor

@@ -1,4 +1,4 @@
-"""Look at threads, data and stops, and do a dead thread's safety work."""
+"""Monitor threads, data and stops, and do the safety work of a dead thread."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ DID_NOT_RUN = "the engine did not run for {lost:.1f} s; this computer was suspen
 
 
 class Supervisor:
-    """The supervising thread's work; ``step`` is one look."""
+    """The supervising thread's work; ``step`` checks everything once."""
 
     def __init__(self, core: Core, connection: Connection) -> None:
         self._core = core
@@ -43,7 +43,7 @@ class Supervisor:
         self._waited_s = 0.0
 
     def step(self) -> None:
-        """Look once at everything."""
+        """Check everything once."""
         self._connection.rig.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
         self._waited_s = 0.0
         for look in (
@@ -68,10 +68,10 @@ class Supervisor:
         self._waited_s += seconds
 
     def _notice_sleep(self) -> None:
-        """Tell when the process did not run, and do not blame its threads for it.
+        """Report when the process did not run, and do not blame its threads for it.
 
-        It may be put to sleep between any two lines. A look that waited while the others ran is
-        no sleep: one of them then has to say that its pause was too long.
+        It may be put to sleep between any two lines. A check that waited while the others ran is
+        no sleep: the pause of one of them must have been too long as well.
         """
         connection, before_s, now = self._connection, self._awake_s, time.monotonic()
         self._awake_s = now
@@ -97,7 +97,7 @@ class Supervisor:
                 continue
             self._silent.add(worker.name)
             if worker.error is not None:
-                continue  # the dying thread has told itself
+                continue  # the failing thread has reported itself
             self._help(f"trip {worker.name}", partial(self._core.act_on, silent_thread(worker)))
 
     def _look_at_data(self) -> None:
@@ -139,12 +139,12 @@ class Supervisor:
         if self._slow_since is None:
             self._slow_since = now
         elif not connection.control.answering:
-            return  # its silence is the cause, and is told by its own watch
+            return  # its silence is the cause, and is reported by its own watch
         elif now - self._slow_since > SPEED_LOST_S * connection.rig.slow():
             core.act_on(make_alarm("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
 
     def _look_at_rest(self) -> None:
-        """Begin the rest between two steps when the crank stands, and go on at its end."""
+        """Begin the rest between two steps when the crank is stationary, and go on at its end."""
         core, test = self._core, self._core.test
         rest = test.resting if test is not None else None
         if test is None or rest is None or core.state is not RunState.PAUSED:
@@ -181,9 +181,9 @@ class Supervisor:
             self._help("finish", core.finish)
 
     def _stop_in_place_of_the_drive_thread(self) -> None:
-        """Cut the power and watch the spindle come to a stand; runs in a helper thread.
+        """Cut the power and monitor the spindle to its standstill; runs in a helper thread.
 
-        It ends when the drive's thread runs again: two that ask would feed the watchdog in turn.
+        It ends when the drive's thread runs again: two that poll would feed the watchdog in turn.
         """
         connection = self._connection
         connection.rig.control.stop_now(off=True)
@@ -197,18 +197,18 @@ class Supervisor:
             connection.supervise.pause(0.02)
 
     def _look_at_disk(self) -> None:
-        """Tell of a commit that takes long while it does."""
+        """Report a commit that takes long while it does."""
         core, since = self._core, self._core.committing_since
         waited = time.monotonic() - since if since else 0.0
         if waited > SLOW_DISK_S and not core.alarms.is_active("disk_slow"):
             core.disk_slow(waited)
 
     def _look_at_file(self) -> None:
-        """See that the file still has its name; a folder in a network may let one wait for it."""
+        """Check that the file still has its name, which may take long in a network folder."""
         now = time.monotonic()
         if now - self._file_seen_s >= FILE_S:
             self._file_seen_s = now
-            self._help("file", self._core.look_after_file)
+            self._help("file", self._core.restore_file)
 
     def _look_at_clock(self) -> None:
         now, jump = time.monotonic(), self._core.clock_jump()
@@ -223,7 +223,7 @@ class Supervisor:
             )
 
     def _help(self, name: str, work: Callable[[], object]) -> None:
-        """Do something that may block in a thread of its own, once at a time."""
+        """Run work that may block in a thread of its own, once at a time."""
         present = self._helpers.get(name)
         if present is not None and present.is_alive():
             return

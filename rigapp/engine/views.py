@@ -1,4 +1,4 @@
-"""Show the engine at one moment."""
+"""Return the state of the engine at one moment."""
 
 from __future__ import annotations
 
@@ -45,14 +45,14 @@ from rigapp_drivers.edge import Guarded
 # The way out of a fault: which step is next, from the state and the alarms alone.
 #
 # The order is always the same: remove the cause, connect, acknowledge, reset, go on. A step that is
-# not needed is left out. Window, ``rigapp status`` and command line show what is told here.
+# not needed is left out. Window, ``rigapp status`` and command line show this result.
 
 WAITING: Final = {
     RunState.CONNECTING: say("Wait: the devices are being connected."),
     RunState.STOPPING: say("Wait: the spindle is brought to a stand and the file is finished."),
     RunState.PAUSING: say("Wait: the crank comes to rest at the pause angle."),
 }
-"""States that pass by themselves, and what is told meanwhile."""
+"""States that pass by themselves, and their sentences."""
 
 AT_REST: Final = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED, RunState.FAULT})
 """States in which no test is open and nothing is under way."""
@@ -60,7 +60,7 @@ AT_REST: Final = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED, Run
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """What the next step depends on.
+    """The inputs of the next step.
 
     reason: the sentence that goes with the state. connected: the devices are open and their threads
     live. unfinished: file of the last test where it has revolutions left, else empty. not_yet: what
@@ -77,7 +77,7 @@ class Situation:
     def critical(self, *ends: Ends) -> list[Alarm]:
         """Return the critical alarms that hold and end so, or without ``ends`` all on the list."""
         listed = [alarm for alarm in self.alarms if alarm.severity is Severity.CRITICAL]
-        return [one for one in listed if one.active and one.ends in ends] if ends else listed
+        return [a for a in listed if a.active and a.ends in ends] if ends else listed
 
 
 def recovery(now: Situation) -> Recovery:
@@ -92,7 +92,7 @@ def recovery(now: Situation) -> Recovery:
     seen = now.critical(Ends.SEEN, Ends.STAND)
     drive = now.critical(Ends.DRIVE)
     listed = now.critical()
-    fresh = [one for one in listed if not one.acknowledged]
+    fresh = [alarm for alarm in listed if not alarm.acknowledged]
     needed = {
         Remedy.CAUSE: bool(lost or seen or drive),
         Remedy.CONNECT: bool(lost) or not now.connected,
@@ -103,7 +103,7 @@ def recovery(now: Situation) -> Recovery:
     left = tuple(step for step, wanted in needed.items() if wanted)
     # What only a new connection or the drive's reset can end is not waited for.
     watched = bool(seen) and not needed[Remedy.CONNECT]
-    step = next(one for one in left if one is not Remedy.CAUSE or watched)
+    step = next(remedy for remedy in left if remedy is not Remedy.CAUSE or watched)
     if step is Remedy.RESUME and now.not_yet:
         return Recovery(sentence=say("Wait: {}.", now.not_yet), left=left)
     about = {
@@ -146,7 +146,7 @@ def _sentence(step: Remedy, about: Sequence[Alarm], now: Situation) -> str:
 
 
 RIG_FILE = say("rig file")
-"""What is told in place of a calibration record where there is none."""
+"""Shown in place of a calibration record where there is none."""
 
 RIG_LINE = say("by its line in the rig file")
 """The same of a free channel."""
@@ -240,7 +240,7 @@ def _criterion(core: Core, active: ActiveTest) -> tuple[float | None, str]:
 
 
 def next_step(core: Core, connection: Connection | None) -> Recovery:
-    """Return what leads from here back to work."""
+    """Return the next step back to a running test."""
     active = core.test
     outcome = active.outcome if active is not None else None
     left = active is not None and active.run.number < active.run.planned
@@ -264,7 +264,7 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
 def _margin(
     core: Core, connection: Connection | None, active: ActiveTest
 ) -> tuple[float | None, str]:
-    """Return the least distance to a limit in percent, and which; of what is judged now alone.
+    """Return the least distance to a limit in percent, and which; of the limits judged now alone.
 
     Revolutions are judged at the set speed, the age of the data while a test is open.
     """
@@ -353,21 +353,19 @@ def _being_opened(devices: Devices, error: DeviceError | None) -> tuple[DeviceVi
     needed = (devices.source, devices.spindle)
     if error is None:
         return tuple(
-            DeviceView(**_named(devices, one), connected=one.name in devices.readback)
-            for one in needed
+            DeviceView(**_named(devices, device), connected=device.name in devices.readback)
+            for device in needed
         )
-    errors = {one.device: one for one in error.each}
+    errors = {fault.device: fault for fault in error.each}
     everyone: list[Guarded] = [*needed, *(slow for slow, _ in devices.slow)]
     return tuple(
-        DeviceView(
-            **_named(devices, one, errors.get(one.name)), connected=False, needed=one in needed
-        )
-        for one in everyone
+        DeviceView(**_named(devices, d, errors.get(d.name)), connected=False, needed=d in needed)
+        for d in everyone
     )
 
 
 def _named(devices: Devices, device: Guarded, error: DeviceError | None = None) -> dict[str, Any]:
-    """Return what is shown of every device alike; error: its last one."""
+    """Return the fields that every device has; error: its last one."""
     identity = devices.identities.get(device.name)
     words = ("maker", "model", "firmware", "serial_number")
     return {
@@ -388,7 +386,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     if connection is None or live is None:
         return ()
     calibration = connection.rig.processor.calibration
-    said = {
+    records = {
         LOAD_CELL: calibration.load_cell.record or RIG_FILE,
         PROBES: calibration.probes.record or RIG_FILE,
         **{name: line.record or RIG_LINE for name, line in calibration.scalars.items()},
@@ -404,7 +402,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
                 units.get(channel.name, channel.unit),
                 value,
                 channel.unit,
-                said[channel.instrument or channel.name]
+                records[channel.instrument or channel.name]
                 if channel.kind is Kind.SAMPLED
                 else say("from force_1 and force_2"),
                 _uncertainty(core, calibration, channel, live.values["force"]),
@@ -421,7 +419,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     angle = connection.rig.processor.motion.angle_deg(live.host_s)
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
-    # One without a value is left out: viewers of before expect a number.
+    # One without a value is left out: older viewers expect a number.
     return tuple(view for view in views if math.isfinite(view.value) and math.isfinite(view.raw))
 
 

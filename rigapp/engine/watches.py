@@ -1,4 +1,4 @@
-"""Watch what arrives: the drive's answers, old blocks, broken sensors, missing samples."""
+"""Monitor what arrives: the drive's answers, old blocks, broken sensors, missing samples."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from rigapp_drivers.api import (
 )
 
 CALM_S = 0.5
-"""An input that was saturated has returned when no sample has been for so long."""
+"""An input is no longer saturated when no sample has been for so long."""
 
 SILENT_SHARE = 0.6
 """A drive that has not answered for this share of its watchdog's time ends the test: before the
-watchdog does, so that the log names the cause and not what follows from it."""
+watchdog does, so that the log names the cause and not the consequence."""
 
 TURNS_RPM, TURNS_SHARE = 1.0, 0.05
 """A drive that reports more than both, the second of the set speed, surely turns: its own noise and
@@ -37,7 +37,7 @@ the creep of a ramp's first moment stay below."""
 
 
 class Watches:
-    """Look at the age of unprocessed data and at what the data source says of its inputs."""
+    """Check the age of unprocessed data and the faults that the data source reports."""
 
     def __init__(self, core: Core, rig: ConnectedRig) -> None:
         self._core = core
@@ -47,16 +47,16 @@ class Watches:
         self._carried = {channel.input: channel.name for channel in core.table.sampled}
 
     def look(self) -> None:
-        """Look once."""
+        """Check once."""
         self._look_at_queue()
         self._look_at_inputs()
         self._look_for_return()
         self._look_at_slow()
 
     def _look_at_slow(self) -> None:
-        """Warn of slow devices that tell nothing, until they do."""
+        """Warn of slow devices that are silent, until they answer."""
         slow, alarms = self._rig.slow_channels, self._core.alarms
-        silent = {one.source.name: age_s for one, age_s in slow.silent()}
+        silent = {quiet.source.name: age_s for quiet, age_s in slow.silent()}
         for name, device in slow.devices.items():
             key = key_of("slow_silent", name)
             if name not in silent:
@@ -99,7 +99,7 @@ class Watches:
         run, full = self._core, fault.kind is InputFaultKind.SATURATED
         if full and self._followed(fault):
             return
-        named = joined(", ", (self._name(one) for one in fault.inputs))
+        named = joined(", ", (self._name(number) for number in fault.inputs))
         kind, what = f"input:{fault.kind.value}", named
         if fault.kind is InputFaultKind.SENSOR_BROKEN:
             concerned = self._concerns_force(fault) and run.state in ACTIVE
@@ -121,12 +121,12 @@ class Watches:
             self._saturated[cause.key] = self._rig.processor.next_sample
 
     def _name(self, wanted: str) -> str:
-        """Return what an input carries, beside its name."""
+        """Return the name of an input with its channel."""
         carried = self._carried.get(wanted)
         return say("{} ({})", wanted, carried) if carried else wanted
 
     def _followed(self, fault: InputFault) -> bool:
-        """Tell whether the samples themselves show it, and when it ends (``saturation``)."""
+        """Return whether the samples themselves show it, and when it ends (``saturation``)."""
         return bool(fault.inputs) and set(fault.inputs) <= self._carried.keys()
 
     def _concerns_force(self, fault: InputFault) -> bool:
@@ -135,7 +135,7 @@ class Watches:
 
 
 class DriveWatch:
-    """Judge a drive by its answers; one at a time, whoever asks."""
+    """Judge a drive by its answers; calls from several threads run one at a time."""
 
     def __init__(self, core: Core, rig: ConnectedRig, watchdog_s: float) -> None:
         """Begin; watchdog_s: time-out of the drive's own watchdog."""
@@ -150,7 +150,7 @@ class DriveWatch:
         self._judging = threading.Lock()
 
     def ask(self) -> None:
-        """Ask the drive, which feeds its watchdog, and judge the answer or its absence."""
+        """Poll the drive, which feeds its watchdog, and judge the answer or its absence."""
         control, spindle = self._rig.control, self._rig.spindle
         with self._judging:
             status = control.poll()
@@ -177,13 +177,13 @@ class DriveWatch:
         )
 
     def look(self) -> None:
-        """Judge what the drive has said last, before anybody waits for the drive's thread."""
+        """Judge the drive's last answer, before another thread waits for the drive's thread."""
         with self._judging:
             if self._rig.control.status is not None:
                 self._judge(self._rig.control.status)
 
     def reset(self) -> None:
-        """Acknowledge the drive's own faults, and judge what it says then; raise DeviceError."""
+        """Acknowledge the drive's own faults, and judge its next answer; raise DeviceError."""
         with self._judging:
             self._rig.control.reset_fault()
             if self._rig.control.status is not None:
@@ -212,7 +212,7 @@ class DriveWatch:
         self._compare_with_encoder(rpm)
 
     def _compare_with_encoder(self, rpm: float) -> None:
-        """Switch off a drive that turns while the encoder stands."""
+        """Switch off a drive that turns while the encoder shows a standstill."""
         run, test, standing_s = self._core, self._core.test, self._core.timing.standing
         no_data = (
             test is not None
@@ -223,7 +223,7 @@ class DriveWatch:
         now = time.monotonic()
         if not no_data:
             self._blind_since = None
-            if not self._rig.processor.motion.standing(standing_s):  # a dead one sees no stop
+            if not self._rig.processor.motion.standing(standing_s):  # a dead one shows no stop
                 run.alarms.clear("encoder_lost")
         elif self._blind_since is None:
             self._blind_since = now
@@ -231,17 +231,17 @@ class DriveWatch:
             run.act_on(make_alarm("encoder_lost", speed_rpm=rpm))
 
 
-# Find samples that went missing without a number, say how long they are, and act on it.
+# Find samples that went missing without a number, determine their duration, and act on it.
 #
-# Three witnesses, as none sees every gap:
+# Three sources, as none shows every gap:
 #
 # - The encoder: its count jumps, and is right at the next index all the same. It shows any gap but
 #   one of whole turns, not how many turns, and at once: late samples show no jump.
 # - The host's clock: device time falls behind it. Only in real time, beyond the jitter of blocks.
 # - The drive's own count: the encoder's turns fall behind it. At any speed of a simulated rig.
 #
-# After a jump the other two are looked at for ``SHORT_S`` and tell the length; without one (whole
-# turns, a crank that stands) the lag has to stay for a ``WINDOW_S``: a late reader shows one, too.
+# After a jump the other two give the length within ``SHORT_S``; without one (whole
+# turns, a stationary crank) the lag has to stay for a ``WINDOW_S``: a late reader shows one, too.
 
 WINDOW_S = 2.0  # the least delay of so long is free of the jitter of single blocks
 SHORT_S = 0.3
@@ -344,10 +344,9 @@ class GapWatch:
             self._look_at_jump(test, newest.host_s)
 
     def known(self, seconds: float) -> bool:
-        """Take a gap of which the device says how long it was; return whether it ends the test.
+        """Take a gap whose length the device reports; return whether it ends the test.
 
-        The device may know less than the encoder: the host's clock tells it, which a simulated rig
-        is faster than.
+        The device may miss part of it: it takes the host's clock, which a simulated rig outruns.
         """
         test, assembler = self._core.test, self._rig.processor.assembler
         self._accept()
@@ -378,7 +377,7 @@ class GapWatch:
         turns = status.position_count / self._rig.counts_per_turn - newest[0] - level
         return turns / self._rev_per_s(test) if 0.0 < turns < MOST_MISSING else 0.0
 
-    # --- witnesses -------------------------------------------------------------------------------
+    # --- sources ---------------------------------------------------------------------------------
 
     def _look_at_time(self, host_s: float, sample: int) -> bool:
         """Compare host and device time, of a rig in real time whose device keeps time."""
@@ -409,7 +408,7 @@ class GapWatch:
         least = max(HALF_TURN, blur_s * test.target_rpm / 60.0 * motion.pace())
         if not least < grown < MOST_MISSING:
             return False
-        if self._skipped is not None:  # the encoder tells the part of a turn
+        if self._skipped is not None:  # the encoder gives the part of a turn
             grown = self._skipped + max(0, round(grown - self._skipped))
         self._time.restart()
         self._found(grown / self._rev_per_s(test))
@@ -421,7 +420,7 @@ class GapWatch:
         if skipped is not None and jumped_s is not None and host_s - jumped_s >= 2.0 * SHORT_S:
             self._found(skipped / self._rev_per_s(test))
 
-    # --- what follows ----------------------------------------------------------------------------
+    # --- consequences ----------------------------------------------------------------------------
 
     def _accept(self) -> None:
         """Take the lags that come next as they are: the gap is known."""

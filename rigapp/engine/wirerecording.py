@@ -13,11 +13,11 @@ from rigapp_drivers.wire.recorder import RecordedFor, WireRecorder, record_line
 FOLDER: Final = "wire"
 SUFFIX: Final = ".wire"
 KEPT: Final = 10
-"""Recordings of a device that its rig file asks for; older ones are deleted."""
+"""Recordings of a device by its rig file; older ones are deleted."""
 
 
 class WireRecording:
-    """Tell which lines are recorded and where.
+    """Which lines are recorded and where.
 
     folder: of the rig file, whose key ``record`` puts recordings into the folder ``wire`` there.
     file: of ``--record-wire``, which records every device, each into a file with its name; None
@@ -39,7 +39,7 @@ class WireRecording:
         driver: DriverInfo,
         settings: Mapping[str, Any],
     ) -> None:
-        """Record a device's line where that is asked for, else no longer."""
+        """Record a device's line where that is requested, else stop it."""
         path = self._path(device, wanted)
         header = {
             "device": device,

@@ -1,6 +1,6 @@
-"""The engine as a process: server, client, and how they find each other.
+"""The engine as a process: server, client, and the registry of running engines.
 
 Others enter by ``client``, ``launch`` and ``registry`` (find or start an engine), ``host`` (be
-one), ``preflight`` (look at the disk), ``resumption``, ``calibration``, ``rigqueue``,
+one), ``preflight`` (check the disk), ``resumption``, ``calibration``, ``rigqueue``,
 ``recorded``, ``requests``, ``faults``, ``simulated``, ``security``, ``pins``.
 """

@@ -1,4 +1,4 @@
-"""What a request may hold: bounded in bytes, and by the record of its verb, before it is obeyed."""
+"""The limits of a request: in bytes, and by the record of its verb, before it is executed."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ SENTENCE_CHARACTERS = 2000
 
 
 def bounded(request: Request) -> Request:
-    """Return a request whose sender can be shown; raise Refused for a verb that is none.
+    """Return a request whose sender can be shown; raise Refused for an unknown verb.
 
-    The sender's name is cut: nothing is refused for it.
+    The sender's name is cut, and never a reason to refuse.
     """
     refuse_long("verb", request.verb, NAME_CHARACTERS)
     refuse_long("client", request.client, NAME_CHARACTERS)
@@ -34,9 +34,9 @@ def bounded(request: Request) -> Request:
 def parse_arguments(verb: Verb, arguments: Mapping[str, Any]) -> Any:
     """Return the arguments of a request as the record of its verb.
 
-    What makes the rig safe is never refused for its words: they are cut, and what is no text is
-    left out. Of all other verbs what is missing, too long, out of range or of another kind raises
-    Refused. What the record does not know is ignored.
+    A safety verb is never refused for its arguments: texts are cut, and other values are left out.
+    For all other verbs a missing, too long, out-of-range or mistyped argument raises Refused.
+    Unknown arguments are ignored.
     """
     if verb.lane is Priority.SAFETY:
         names = verb.record.__struct_fields__
@@ -57,7 +57,7 @@ def parse_arguments(verb: Verb, arguments: Mapping[str, Any]) -> Any:
 
 
 def refusal(words: str, identifier: int = 0) -> Reply:
-    """Return the answer that says why not, as one sentence no longer than anybody reads.
+    """Return the reply to a refused request: its reason as one short sentence.
 
     A key that it begins with stays as it is typed.
     """
@@ -69,7 +69,7 @@ def refusal(words: str, identifier: int = 0) -> Reply:
 
 
 def _judge(verb: str, field: inspect.Field, value: Any) -> None:
-    """Refuse the value of an argument, in words of its own where a reader would expect them."""
+    """Refuse the value of an argument, with a specific sentence where there is one."""
     kind, title, key = field.type, field.name, ""
     if isinstance(kind, inspect.Metadata):
         title = (kind.extra_json_schema or {}).get("title", title)

@@ -1,6 +1,6 @@
-"""Record the lines of devices for a report of an error, and pack it with what explains it.
+"""Record the lines of devices for a bug report, and pack it with logs and settings.
 
-What goes to others names no people, computers, folders or addresses; serial numbers stay.
+The report names no people, computers, folders or addresses; serial numbers stay.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.wire.trace import MAGIC, RecordKind, encode_note, encode_record, read_trace
 
 PRIVATE_SECTIONS: Final = ("notify", "ping", "records")
-"""Of a rig file: whom messages go to, and where keys are."""
+"""Of a rig file: recipients of messages, and paths of keys."""
 PRIVATE_FIELDS: Final = ("operator", "in_command", "queue", "file", "line_report")
-"""Of a status: people, and folders of theirs."""
+"""Of a status: people, and their folders."""
 MOST_NAMES: Final = 1000
 SHORTEST_NAME: Final = 3
-"""Characters; shorter ones stand in many words by chance."""
+"""Characters; shorter ones occur in many words by chance."""
 
 ABOUT: Final = """\
 Lines of {devices}, recorded by rigapp {version} from {since} to {until} (UTC).
@@ -58,7 +58,7 @@ Names of people and computers, folders, addresses and keys are taken out. Serial
 
 
 class BugReports:
-    """Record for one report at a time; what was recorded is packed when its time is up.
+    """Record for one report at a time; the recording is packed when its time is up.
 
     rig: the rig file as it is in use. connect: connects the devices; raises what that raises.
     """
@@ -75,7 +75,7 @@ class BugReports:
         self.shown: LineReport | None = None
 
     def note_name(self, name: str) -> None:
-        """Remember who gives commands: the name is taken out of what is packed."""
+        """Remember the name of an operator, which is removed from the package."""
         if name not in PROGRAM and len(self._names) < MOST_NAMES:
             self._names.update(_spellings(name))
 
@@ -105,7 +105,7 @@ class BugReports:
         if request.reconnect:
             try:
                 self._connect()
-            except Exception as error:  # what fails is what is reported
+            except Exception as error:  # the failure itself is reported
                 self._engine.log("device", sentence_of_error(error), "engine")
         if request.duration_s:
             self._end_after(request.duration_s)
@@ -122,7 +122,7 @@ class BugReports:
     def _time_is_up(self) -> None:
         try:
             self.end()
-        except (UnusableInput, Refused):  # its sentence is shown
+        except (UnusableInput, Refused):  # the status shows its sentence
             return
 
     def end(self) -> str:
@@ -147,7 +147,7 @@ class BugReports:
             return self.shown.file
 
     def close(self) -> None:
-        """Pack what is being recorded."""
+        """Pack a recording under way."""
         if self._open is not None:
             self._time_is_up()
 
@@ -183,7 +183,7 @@ class BugReports:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of the program, of the packages that it names, and of the system."""
+    """Return the versions of the program, of its packages, and of the system."""
     needed = (re.split(r"[^\w.-]", need)[0] for need in metadata.requires("rigapp") or ())
     result = {name: _version(name) for name in dict.fromkeys(("rigapp", *needed))}
     system = {"python": platform.python_version(), "system": platform.platform()}
@@ -202,7 +202,7 @@ def _utc(moment: float) -> str:
 
 
 def _text_of(log: Path) -> str:
-    """Return what a log holds, the file before it first."""
+    """Return the text of a log, the file before it first."""
     parts = (log.with_name(f"{log.name}.1"), log)
     return "".join(part.read_text("utf-8", "replace") for part in parts if part.exists())
 
@@ -214,7 +214,7 @@ def _public_rig(rig: Document[RigFile]) -> str:
 
 
 def _public_trace(path: Path, names: Iterable[str]) -> Iterator[bytes]:
-    """Yield a recorded line whose notes hold nothing private; its bytes stay."""
+    """Yield a recorded line with private data removed from its notes; its bytes stay."""
     trace = read_trace(path)
     first_ns = trace.records[0].time_ns if trace.records else 0
     yield MAGIC
@@ -254,7 +254,7 @@ def _names_here() -> Iterator[str]:
 
 
 def _spellings(name: str) -> Iterator[str]:
-    """Yield a name and its words, as far as they are long enough to tell somebody."""
+    """Yield a name and its words, as far as they are long enough to identify a person."""
     for spelling in (name.strip(), *re.split(r"[\s.,_-]+", name)):
         if len(spelling) >= SHORTEST_NAME:
             yield spelling

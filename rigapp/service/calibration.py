@@ -1,8 +1,8 @@
-"""The calibration that occupies a rig: weights may hang on the pin, so nothing else turns it.
+"""The calibration that occupies a rig: weights may hang on the pin, so nothing else may turn it.
 
 It begins with a key, by which its holder ends it and may turn the spindle at the speeds that it
-needs. What nobody ended, as its window died, stays until somebody releases it on purpose, in a new
-engine of the rig too.
+needs. A calibration whose window failed stays open until an operator releases it, in a new engine
+of the rig too.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ from rigapp.texts import say
 log = logging.getLogger(__name__)
 
 Log = Callable[[str, str], None]
-"""Takes the text of an event and who did it."""
+"""Takes the text of an event and the operator."""
 
 
 class HeldCalibration(msgspec.Struct, frozen=True):
-    """An open calibration with what its holder alone knows.
+    """An open calibration with the secret of its holder.
 
     key: ends it, and starts its tests, of ``fastest_rpm`` at most. client: the viewer that began.
     """
@@ -47,31 +47,31 @@ class RigCalibration:
     """Keep the one calibration of a rig; every method may be called from any thread."""
 
     def __init__(self, rig: Path | None, log_line: Log) -> None:
-        """Take up what the disk keeps of a rig file; None: of a rig that ends with its engine."""
+        """Continue a stored calibration of a rig file; None: of a rig that ends with its engine."""
         self._rig, self._log = rig, log_line
         self._lock = threading.Lock()
         self._held = kept_calibration(rig) if rig is not None else None
 
     @property
     def shown(self) -> OpenCalibration | None:
-        """Return what viewers see of it, None while nothing is calibrated."""
+        """Return its public part for viewers, None while nothing is calibrated."""
         held = self._held
         return held.shown if held is not None else None
 
     def begin(self, request: Request, what: str, fastest_rpm: float) -> dict[str, str | float]:
         """Occupy the rig; return key and beginning. Raises Occupied where another one is open."""
-        who = request.operator.strip() or "somebody"
+        operator = request.operator.strip() or "somebody"
         with self._lock:
             self._refuse()
-            shown = OpenCalibration(what, who, round(time.time(), 3))
+            shown = OpenCalibration(what, operator, round(time.time(), 3))
             self._held = HeldCalibration(shown, uuid.uuid4().hex, fastest_rpm, request.client)
             key = self._held.key
             self._keep()
-        self._log(say("the calibration begins: {}", what), who)
+        self._log(say("the calibration begins: {}", what), operator)
         return {"key": key, "since": shown.since}
 
     def end(self, key: str, request: Request) -> None:
-        """End it in order; raise Refused where it is open no longer."""
+        """End it by its key; raise Refused where it is not open any more."""
         with self._lock:
             held = self._held
             if held is None or held.key != key:
@@ -83,7 +83,7 @@ class RigCalibration:
         )
 
     def release(self, since: float, reason: str, request: Request) -> None:
-        """End it on purpose, in place of its holder; raise Refused where it is another one."""
+        """End it in place of its holder; raise Refused where it is another one."""
         with self._lock:
             held = self._held
             if held is None:
@@ -119,7 +119,7 @@ class RigCalibration:
             raise Occupied(occupied_words(self._held.shown))
 
     def _keep(self) -> None:
-        """Write it for the next engine; a calibration is not held up where that fails."""
+        """Store it for the next engine; a failure does not stop the calibration."""
         if self._rig is None:
             return
         try:

@@ -1,7 +1,7 @@
-"""Talk to a running engine: requests with a time-out, snapshots as they come.
+"""The client of a running engine: requests with a time-out, snapshots as they come.
 
-A client that has taken command says every ``PRESENT_S`` that it is still there, from a thread of
-its own, until it releases the command, loses it or is closed.
+A client that has control sends a heartbeat every ``PRESENT_S`` from a thread of its own, until it
+releases control, loses it or is closed.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ if TYPE_CHECKING:
 
 SNAPSHOT_QUEUE = 64  # three seconds of a window that is busy
 NEWEST = ("cycle", "prediction", "profile")
-"""What only the newest snapshot that brings it is wanted of."""
-PRESENT_S = 2.0  # often enough that a lost one is no absence
+"""Fields of which only the newest value is kept."""
+PRESENT_S = 2.0  # often enough that a lost heartbeat does not count as absence
 
 
 class EngineUnreachable(SentenceError):
-    """Say which engine did not answer, to what, within which time."""
+    """The sentence says which engine did not answer, to what, within which time."""
 
 
 class Client:
@@ -49,7 +49,7 @@ class Client:
         """Attach to the engine of an entry; nothing is sent yet.
 
         look: take snapshots, which makes this a viewer; without it ``poll`` returns None.
-        Raises EngineUnreachable when the entry tells of another version of the protocol, and
+        Raises EngineUnreachable when the entry has another version of the protocol, and
         UnusableInput when the engine demands a key and this viewer's cannot be used.
         """
         if entry.version not in (PROTOCOL_VERSION, *FLAT_STATUS):
@@ -62,7 +62,7 @@ class Client:
         self._stream = self._context.socket(zmq.DEALER)
         self._stream.setsockopt(zmq.RCVHWM, SNAPSHOT_QUEUE)
         self._stream.setsockopt(zmq.LINGER, 0)
-        # Each new connection begins with an empty message, which asks for snapshots.
+        # Each new connection begins with an empty message, which requests snapshots.
         self._stream.setsockopt(zmq.PROBE_ROUTER, 1)
         self._stream.setsockopt(zmq.IMMEDIATE, 1)
         self._show_keys(self._stream)
@@ -76,10 +76,10 @@ class Client:
         self._presence: threading.Thread | None = None
 
     def poll(self) -> Snapshot | None:
-        """Return what came since the last call, merged into one snapshot, or None.
+        """Return the snapshots since the last call, merged into one, or None.
 
-        Rows are merged only where none is missing between them: what comes after a gap, or belongs
-        to another file, is left for the next call, so that ``first_row`` shows it.
+        Rows are merged only where none is missing between them: rows after a gap, or of another
+        file, are left for the next call, so that ``first_row`` shows it.
         """
         parts: list[Snapshot] = []
         while not self._closed:
@@ -111,7 +111,7 @@ class Client:
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float | None = None
     ) -> Reply:
-        """Ask the engine and wait for the answer; raise EngineUnreachable after timeout_s.
+        """Send a request and wait for the reply; raise EngineUnreachable after timeout_s.
 
         timeout_s: that of ``VERBS`` if None.
         """
@@ -126,7 +126,7 @@ class Client:
         return reply
 
     def hello(self, timeout_s: float = 5.0) -> None:
-        """Make sure that the engine answers and speaks our protocol; raise EngineUnreachable."""
+        """Check that the engine answers and uses our protocol; raise EngineUnreachable."""
         reply = self.request("hello", timeout_s=timeout_s)
         if not reply.ok:
             raise EngineUnreachable(reply.sentence)
@@ -232,7 +232,7 @@ def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
 
 
 def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:
-    """Tell whether a snapshot goes on where others end: the same file, and no row between."""
+    """Return whether a snapshot follows others without a gap: the same file, and no row between."""
     last = next((part for part in reversed(parts) if part.rows), None)
     if _file(following) != _file(parts[-1]):
         return False

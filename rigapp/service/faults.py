@@ -1,4 +1,4 @@
-"""What can go wrong with a simulated rig on request, for whoever offers it."""
+"""The faults that a simulated rig can have on request."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class FaultChoice:
 
 def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
     """Return every fault of a simulated rig; devices: (name, driver) of each."""
-    # The simulator is loaded when a simulated rig is there, not with the window.
+    # The simulator is loaded for a simulated rig only, not with the window.
     from rigapp.simulation.disturbances import SignalFault
     from rigapp.simulation.wire.link import WireFault
 

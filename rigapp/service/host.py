@@ -1,6 +1,6 @@
 """Host an engine: simulated rig, engine, twin and server, and the order between them.
 
-Used by ``rigapp run`` (one test, then the end) and ``rigapp engine`` (until told to shut down).
+Used by ``rigapp run`` (one test, then the end) and ``rigapp engine`` (until it is shut down).
 """
 
 from __future__ import annotations
@@ -98,11 +98,11 @@ END_CALIBRATION = say("Take off what hangs on the pin, then end the calibration.
 
 
 class ChangedElsewhere(Exception):
-    """Say that a rig file says something else than when the engine was started."""
+    """The rig file was changed since the engine was started."""
 
 
 class EngineHost:
-    """One engine of one rig, reachable by viewers while it lives."""
+    """One engine of one rig, reachable by viewers while it runs."""
 
     def __init__(
         self,
@@ -167,7 +167,7 @@ class EngineHost:
         self._messages = self._notifier(ways) if ways else None
 
     def _notifier(self, ways: DeliveryChannels) -> NotifierLink:
-        """Start what tells who is away; it hears what every viewer hears."""
+        """Start the notifier, which gets the notices of every viewer."""
         folder = private_folder(lasting_folder() / "messages")
         rig = str(self._rig.path.resolve())
         run, name = say("{} {}", os.getpid(), time.time()), self._rig.record.name
@@ -185,7 +185,7 @@ class EngineHost:
             addresses = bind.endpoints()
         else:
             addresses = local_endpoints(runtime_folder(), os.getpid())
-        # A port of this computer is open to its other users, as a socket in our folder is not.
+        # A port of this computer is open to its other users, unlike a socket in our folder.
         keys = lasting_folder() if addresses[0].startswith("tcp:") else None
         if keys is not None:
             if bind is not None and bind.remote:
@@ -215,7 +215,7 @@ class EngineHost:
         self.engine.connect(lambda: self.simulated.ports(parameters))
 
     def _connect_to_report(self) -> None:
-        """Connect anew for a report of an error; raise Refused while the rig is occupied."""
+        """Connect again for a bug report; raise Refused while the rig is occupied."""
         if self.occupied:
             raise Refused("the rig is occupied; its lines are recorded without connecting anew")
         with self.starting:
@@ -232,9 +232,9 @@ class EngineHost:
         examined: Callable[[Resumption], None] = lambda resumption: None,
         calibration: str = "",
     ) -> None:
-        """Connect where needed and start a test, or go on with it; raises what the engine raises.
+        """Connect where needed and start or resume a test; raises the engine's errors.
 
-        reason: for what ``resumption`` finds and asks a reason for. examined: told what it found.
+        reason: for findings of ``resumption`` that need one. examined: called with the findings.
         calibration: key of the open one that the test is part of.
         """
         with self.starting:
@@ -277,11 +277,11 @@ class EngineHost:
             remember(self._rig.path, out, specimen)
 
     def tell_of_cut_off_test(self) -> None:
-        """Warn where the last test of this rig was ended by nobody; nothing turns."""
+        """Warn where the last test of this rig was cut off; nothing turns."""
         self.engine.warn("cut_off", cut_off(self._rig.path))
 
     def cancel(self, why: str) -> None:
-        """Let no test start any more, nor go on with starting; raises Refused there."""
+        """Prevent further starts and cancel one under way, which raises Refused."""
         self._cancelled = why
 
     def _go_on(self) -> None:
@@ -294,9 +294,9 @@ class EngineHost:
         self._log.enter_context(in_file(log_beside(out)))
 
     def resumption(self, path: Path) -> Resumption:
-        """Connect where needed and say what a test in a file would meet if it went on here."""
+        """Connect where needed and return the findings for resuming the test of a file."""
         with self.starting:
-            self.calibration.judge()  # a simulated rig may be put up anew for the test
+            self.calibration.judge()  # a simulated rig may be restarted for the test
             self._latest_records("")
             past = read_past(path)
             test = recorded_test(path).record
@@ -304,7 +304,7 @@ class EngineHost:
             return self._compare(past, test)
 
     def use_records(self, operator: str) -> Reply:
-        """Put to use what the rig file names now; a rig file is written while an engine runs."""
+        """Use the records that the rig file names now; a calibration may have changed it."""
         with self.starting:
             try:
                 changed = self._use_records()
@@ -312,7 +312,7 @@ class EngineHost:
                 return refusal(say("{}.", error))
             if not changed:
                 return refusal(say("{} names the records that are in use already.", self._rig.path))
-            # A record that forbids a start has no remark but why.
+            # A record that blocks a start has no other remark.
             reasons = {**self.records.remarks, **self.records.blocking}
             used = joined(
                 "; ",
@@ -322,7 +322,7 @@ class EngineHost:
             return Reply(ok=True, sentence=say("The engine uses it from now on ({}).", used))
 
     def _latest_records(self, operator: str) -> list[LogEntry]:
-        """Use the records that the rig file names now; return what is to be said of it."""
+        """Use the records that the rig file names now; return the log entries about them."""
         try:
             self._use_records()
         except ChangedElsewhere as error:
@@ -330,9 +330,9 @@ class EngineHost:
         return []
 
     def _use_records(self) -> bool:
-        """Use the records that the rig file names now; tell whether they are others.
+        """Use the records that the rig file names now; return whether they changed.
 
-        Raises UnusableInput for what cannot be used, Refused where it would change during a test,
+        Raises UnusableInput for unusable records, Refused for a change during a test,
         ChangedElsewhere.
         """
         now, path = read_rig(self._rig.path), self._rig.path
@@ -383,9 +383,9 @@ class EngineHost:
     def _start_twin(
         self, test: TestFile, file: Path, past: Past | None, worn: SpecimenWear | None
     ) -> None:
-        """Start the twin of a test, as its file left it where the test goes on.
+        """Start the twin of a test, from the state in its file where the test is resumed.
 
-        worn: another test has left the bushing so; its file has what is known of it.
+        worn: wear of the bushing by another test, whose file has its state.
         """
         if self._twin is not None:
             self._twin.close()
@@ -431,7 +431,7 @@ class EngineHost:
             twin.offer(measured)
 
     def close(self) -> None:
-        """Stop a test under way, tell viewers, release everything; the spindle stands then."""
+        """Stop a test under way, notify viewers, release all; the spindle is then stationary."""
         self.cancel(say("the engine ends"))
         self.queue.halt()
         self.reports.close()
@@ -451,18 +451,18 @@ class EngineHost:
 
     @property
     def watched(self) -> bool:
-        """Tell whether a viewer is attached."""
+        """Return whether a viewer is attached."""
         return self._server.watched
 
     @property
     def occupied(self) -> bool:
-        """Tell whether a test is under way or a calibration open, which nobody may look at."""
+        """Return whether a test is under way or a calibration open, even without viewers."""
         return self.engine.state in ACTIVE or self.calibration.shown is not None
 
     # --- tests one after another -----------------------------------------------------------------
 
     def _begin_queued(self, test: Path, file: Path, operator: str) -> Finished | None:
-        """Begin a test of the queue; where its file is there, go on with it or end it."""
+        """Begin a test of the queue; where its file exists, resume or end it."""
         self.calibration.judge()
         if not file.exists():
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -473,7 +473,7 @@ class EngineHost:
             self.start(recorded_test(file), file, operator, resume=True)
         return end
 
-    # --- what viewers ask ------------------------------------------------------------------------
+    # --- viewers ---------------------------------------------------------------------------------
 
     def snapshot(self) -> Snapshot:
         """Return what is new for all viewers."""
@@ -482,7 +482,7 @@ class EngineHost:
         return msgspec.structs.replace(snapshot, status=self.with_service(snapshot.status))
 
     def with_service(self, status: Status) -> Status:
-        """Add what the engine itself does not know."""
+        """Add the fields of the service to a status."""
         speed, queue = self.simulated.speed, self.queue.view()
         calibration, recovery = self.calibration.shown, status.recovery
         next_is_test = recovery.step in (Remedy.RESUME, Remedy.NONE)

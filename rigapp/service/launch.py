@@ -27,7 +27,7 @@ from rigapp.service.registry import (
 from rigapp.texts import say
 
 START_S = 180.0  # importing and compiling on a slow disk, on a computer that is busy
-HELLO_S = 10.0  # far longer than an engine that runs takes
+HELLO_S = 10.0  # far longer than a running engine takes
 LOOK_EVERY_S = 0.05  # no longer than a person notices
 
 
@@ -87,7 +87,7 @@ def _engine_of(rig: Path) -> EngineEntry:
 
 
 def _start(rig: Path) -> tuple[int, Path]:
-    """Start an engine, announced before anybody else can look; return its process and its log."""
+    """Start an engine, announced before another process can look; return its process and log."""
     log = runtime_folder() / f"engine-{time.strftime('%Y%m%d-%H%M%S')}.log"
     engine = Child("rigapp", "engine", rig, log=log)
     engine.leave()
@@ -104,7 +104,7 @@ def _last_words(log: Path | None) -> str:
 
 @contextmanager
 def _one_at_a_time() -> Iterator[None]:
-    """Let one process after the other look for an engine and start one; raise EngineUnreachable."""
+    """Lock the search for an engine and its start to one process; raise EngineUnreachable."""
     path = runtime_folder() / "launch.lock"
     deadline = time.monotonic() + HELLO_S
     with path.open("wb") as file:

@@ -1,7 +1,7 @@
 """PINs of the operators who may change limits, in a file that the rig file names.
 
-They keep a colleague from changing in passing what guards a test; whoever can write the files of
-the rig can do more than that. Of each PIN there is a salted hash (scrypt, RFC 7914), never itself,
+They prevent casual changes of a test's limits; anyone who can write the files of the rig can do
+more than that. Of each PIN there is a salted hash (scrypt, RFC 7914), never itself,
 and it is in no recorded file.
 """
 
@@ -26,7 +26,7 @@ from rigapp.schema.states import Refused
 from rigapp.texts import say
 
 COST, BLOCK, LANES = 2**14, 8, 1
-"""Of a hash: 16 MB and some 50 ms, as RFC 7914 proposes for a login."""
+"""Parameters of a hash: 16 MB and some 50 ms, as RFC 7914 proposes for a login."""
 SALT_BYTES, HASH_BYTES = 16, 32
 FEWEST: Final = 4
 """Characters of a PIN."""
@@ -35,14 +35,14 @@ FREE_TRIES, LONGEST_WAIT_S = 3, 300.0
 
 
 def hashed(pin: str, salt: bytes | None = None) -> str:
-    """Return what is kept of a PIN."""
+    """Return the hash of a PIN."""
     salt = salt or os.urandom(SALT_BYTES)
     made = hashlib.scrypt(pin.encode(), salt=salt, n=COST, r=BLOCK, p=LANES, dklen=HASH_BYTES)
     return f"scrypt:{COST}:{BLOCK}:{LANES}:{salt.hex()}:{made.hex()}"
 
 
 def fits(pin: str, kept: str) -> bool:
-    """Tell whether a PIN is the one of which a hash is kept; no other form of hash fits."""
+    """Return whether a PIN fits a hash; hashes of other forms fit none."""
     try:
         kind, cost, block, lanes, salt, expected = kept.split(":")
         if (kind, int(cost), int(block), int(lanes)) != ("scrypt", COST, BLOCK, LANES):
@@ -67,7 +67,7 @@ def pins_in(file: Path) -> Mapping[str, str]:
 def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:
     """Give an operator a PIN, a new one in the place of the former; raise UnusableInput.
 
-    by_pin: the PIN of somebody who has one, where anybody has.
+    by_pin: the PIN of an operator who has one, if there is any.
     """
     pins = dict(pins_in(file))
     if not name.strip():
@@ -82,7 +82,7 @@ def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:
 
 
 class PinCheck:
-    """Let a limit be changed by an operator with a PIN only, where the rig file wants that."""
+    """Check the PIN of an operator who changes a limit, where the rig file requires it."""
 
     def __init__(self, rig: Document[RigFile], clock: Callable[[], float] = time.monotonic) -> None:
         self._file = operators_file(rig)
@@ -91,14 +91,14 @@ class PinCheck:
 
     @property
     def wanted(self) -> bool:
-        """Tell whether limits need a PIN."""
+        """Return whether limits need a PIN."""
         return self._file is not None
 
     def judge(self, operator: str, pin: str) -> None:
         """Raise Refused where the PIN is not the operator's, UnusableInput for a broken file."""
         if self._file is None:
             return
-        with self._lock:  # two at once would have twice the tries
+        with self._lock:  # two requests at once would have twice the tries
             left = self._wait_until - self._clock()
             if left > 0.0:
                 raise Refused(say("too many wrong PINs; try again in {:.0f} s", math.ceil(left)))

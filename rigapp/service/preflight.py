@@ -1,4 +1,4 @@
-"""Look at the disk before a start: what the file of a test needs, and what is free."""
+"""Check the disk before a start: the size of a test's file, and the free space."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.texts import say
 def disk_facts(
     test: TestFile, sample_rate_Hz: float, folder: Path, table: ChannelTable = BASE
 ) -> DiskFacts:
-    """Return the room that a test of these channels needs in a folder; reads the disk."""
+    """Return the disk space that a test of these channels needs in a folder; reads the disk."""
     from rigapp.engine.recording.fileplan import file_plan
     from rigapp.storage import reserved_bytes, streams_of
 

@@ -1,4 +1,4 @@
-"""The tests that files record: resume or end one, and which was the last of a rig."""
+"""Recorded tests: resume or end one, and the last test of a rig."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Docum
 
 
 def recorded_test(path: Path) -> Document[TestFile]:
-    """Return the test that a file records, to go on with it; raise UnusableInput."""
+    """Return the test that a file records, to resume it; raise UnusableInput."""
     with open_test(path) as reader:
         text = reader.configuration()["test"]
         planned = reader.state("planned_revolutions")
@@ -73,25 +73,25 @@ def end_whole_test(path: Path) -> Finished | None:
 
 
 def complete_test(path: Path) -> Finished | None:
-    """Return how a test ended that is complete; None for any other."""
+    """Return the end of a complete test; None for any other."""
     with open_test(path) as reader:
-        said = reader.summary()
-    if said["status"] != "complete":
+        summary = reader.summary()
+    if summary["status"] != "complete":
         return None
-    reason = str(said["reason"] or "")
-    return Finished(FinishReason.COMPLETE, reason, "complete", said["revolutions"], str(path))
+    reason = str(summary["reason"] or "")
+    return Finished(FinishReason.COMPLETE, reason, "complete", summary["revolutions"], str(path))
 
 
 def checkpoint(path: Path) -> bytes:
-    """Return what the twin of an earlier part of the test left in its file, or nothing."""
+    """Return the twin's checkpoint of an earlier part of the test, or nothing."""
     with open_test(path) as reader:
         return reader.checkpoint()
 
 
 def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
-    """Return what the twin of an ended test left of its bushing, and its model and technique.
+    """Return the twin's checkpoint of an ended test, and its model and technique.
 
-    The model is None where it cannot be read, or where readings that are not believed are in it.
+    The model is None where it cannot be read, or where it contains rejected readings.
     """
     with open_test(path) as reader:
         left = reader.checkpoint()
@@ -105,21 +105,21 @@ def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
 
 
 SEALED_AT_ONCE = 64 << 20
-"""Bytes of data whose seal takes less time than to start a process that makes it."""
+"""Bytes of data whose seal takes less time than the start of a process for it."""
 
 
 def settle(end: Finished) -> None:
     """Compress and seal the file of a complete test; only seal that of a stopped one.
 
-    What takes long is done by a process of its own that outlives this one.
+    Long work runs in a process of its own that outlives this one.
     """
     path = Path(end.file)
     if not path.is_file():
         return
     try:
         with open_test(path) as reader:
-            much = reader.used_bytes(path.stat().st_size) > SEALED_AT_ONCE
-        if end.status == "complete" or much:
+            large = reader.used_bytes(path.stat().st_size) > SEALED_AT_ONCE
+        if end.status == "complete" or large:
             settle_in_background(path).leave()
         else:
             seal_test(path)
@@ -128,7 +128,7 @@ def settle(end: Finished) -> None:
 
 
 class LastTest(msgspec.Struct, frozen=True):
-    """Name the rig file and the test file that was begun with it last.
+    """The rig file and the test file that was begun with it last.
 
     specimens: the newest file of each specimen by its name.
     """
@@ -139,7 +139,7 @@ class LastTest(msgspec.Struct, frozen=True):
 
 
 def remember(rig: Path, file: Path, specimen: str = "") -> None:
-    """Keep that a test of a rig goes into a file; a test is not held up where it cannot be kept."""
+    """Store the file of a rig's test; a failure does not stop the test."""
     before = _kept(rig)
     specimens = before.specimens if before is not None else {}
     if specimen:
@@ -160,7 +160,7 @@ def _kept(rig: Path) -> LastTest | None:
 
 
 def last_wear(rig: Path, specimen: str) -> SpecimenWear | None:
-    """Return how far a specimen is worn by its last test on a rig; None where that is not known."""
+    """Return the wear of a specimen by its last test on a rig; None where it is unknown."""
     last = _kept(rig)
     file = last.specimens.get(specimen, "") if last is not None and specimen else ""
     if not file:
@@ -174,7 +174,7 @@ def last_wear(rig: Path, specimen: str) -> SpecimenWear | None:
 
 
 def cut_off(rig: Path) -> str:
-    """Return the sentence of a rig's last test where nobody ended it, empty where all is well."""
+    """Return a sentence where a rig's last test was cut off, else an empty text."""
     last = _kept(rig)
     if last is None:
         return ""

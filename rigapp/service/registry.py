@@ -1,4 +1,4 @@
-"""Where running engines announce themselves: one small JSON file each, in a private folder."""
+"""The registry of running engines: one small JSON file each, in a private folder."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ LEFT_BEHIND = (
 
 
 class EngineEntry(msgspec.Struct, frozen=True):
-    """Tell where a running engine listens and which rig it holds.
+    """The addresses and the rig of a running engine.
 
     server_key: public CurveZMQ key (Z85) where viewers must show theirs, else empty.
     """
@@ -67,7 +67,7 @@ def runtime_folder() -> Path:
 
 
 def lasting_folder() -> Path:
-    """Return the private folder for what outlives a restart of the computer: keys.
+    """Return the private folder for files that outlive a restart of the computer: keys.
 
     The folder that RIGAPP_RUNTIME_DIR names, else the user's folder for data; keys that an earlier
     version made in the runtime folder come along. Raises UnusableInput.
@@ -82,10 +82,10 @@ def lasting_folder() -> Path:
 
 
 def kept_of(rig: Path, what: str) -> Path:
-    """Return the file that keeps something of a rig beyond a restart.
+    """Return the file for data of a rig that outlive a restart.
 
     Where the user's folder for data cannot be used it is in the runtime folder, which a restart of
-    the computer may empty: no test is held up by it. Raises UnusableInput.
+    the computer may empty: a test starts all the same. Raises UnusableInput.
     """
     name = hashlib.sha256(str(rig.resolve()).encode()).hexdigest()[:16]
     try:
@@ -99,7 +99,7 @@ def kept_of(rig: Path, what: str) -> Path:
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
     """Return (commands, snapshots) addresses: Unix sockets, or ports of loopback where none can be.
 
-    A folder with too long a name can hold none either.
+    A folder with too long a name cannot hold a socket.
     """
     if sys.platform == "win32" or len(str(folder)) > LONGEST_SOCKET_FOLDER:
         return "tcp://127.0.0.1:*", "tcp://127.0.0.1:*"
@@ -117,7 +117,7 @@ def read_entry(path: Path) -> EngineEntry:
 def announce(entry: EngineEntry) -> Path:
     """Write the entry of this engine, which has started now, and return its path.
 
-    What dead engines left is removed.
+    Leftovers of dead engines are removed.
     """
     remove_left_behind(runtime_folder(), LEFT_BEHIND)
     path = _write(f"engine-{entry.pid}.json", entry)
@@ -132,9 +132,9 @@ def announce_start(rig: Path, pid: int) -> None:
 
 @contextmanager
 def starting(rig: Path) -> Iterator[None]:
-    """Announce this process as the coming engine of a rig, and withdraw all of it at the end.
+    """Announce this process as the starting engine of a rig, and withdraw it at the end.
 
-    A signal that asks for the end interrupts it until somebody else listens to signals.
+    A termination signal interrupts it until another handler is installed.
     """
     with ending_as_interrupt():
         try:
@@ -167,7 +167,7 @@ def withdraw(pid: int) -> None:
 
 
 def other_version(engine: int, viewer: int) -> str:
-    """Say that an engine and a viewer do not speak the same protocol."""
+    """Return that an engine and a viewer use different protocols, as a sentence."""
     return say(
         "This engine speaks version {} of the protocol, the viewer version {}; use the"
         " same rigapp on both sides.",
@@ -186,7 +186,7 @@ def _entries(names: str) -> list[EngineEntry]:
     folder = runtime_folder()
     remove_left_behind(folder, LEFT_BEHIND)
     for path in folder.glob(names):
-        # What somebody else put here, or a link to it, must not lead a viewer anywhere.
+        # A file of another user, or a link to one, must not lead a viewer to another engine.
         text = read_own(path)
         try:
             entry = msgspec.json.decode(text or b"", type=EngineEntry)

@@ -41,35 +41,35 @@ from rigapp.simulation.handle import SimulationFailed
 from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import DeviceError
 
-# Who has control of an engine: several viewers may look, one of them operates.
+# Control of an engine: several viewers may observe, one of them operates.
 #
-# Nobody has to take control: as long as nobody has, every viewer may do everything. Once a viewer
-# has taken it, others are refused whatever changes something, except what makes the rig safe.
+# Control is optional: until a viewer takes it, every viewer may do everything. Then requests of
+# others that change something are refused, except safety verbs.
 
 GONE_AFTER_S = 10.0
-"""Command is free again when its holder has not been heard of for so long."""
+"""Control is free again when its holder has sent nothing for so long."""
 
 ASLEEP_S = 2.0
-"""A longer pause between two looks is this process's own; it is not held against the holder."""
+"""A longer pause between two checks is this process's own; it does not count for the holder."""
 
 
 Log = Callable[[str, str, str, str], None]
-"""Takes the text of an event, who did it, who was in command before and who is after."""
+"""Takes the text of an event, the operator, and the holder of control before and after."""
 
 
 @dataclass(frozen=True, slots=True)
 class Holder:
-    """The viewer in command: its identity and the name that others are told."""
+    """The viewer in control: its identity and the name shown to others."""
 
     client: str
     name: str
 
 
 class ControlLock:
-    """Keep the one operator in command; every method may be called from any thread."""
+    """The control of one operator; every method may be called from any thread."""
 
     def __init__(self, log: Log, clock: Callable[[], float] = time.monotonic) -> None:
-        """Begin with nobody in command; ``log`` is told of every change."""
+        """Begin without a holder; ``log`` is called at every change."""
         self._log = log
         self._clock = clock
         self._lock = threading.Lock()
@@ -78,12 +78,12 @@ class ControlLock:
 
     @property
     def holder(self) -> str:
-        """Return the name of who has control, empty when nobody is."""
+        """Return the name of the holder, empty without one."""
         holder = self._holder
         return holder.name if holder is not None else ""
 
     def look(self) -> None:
-        """Release the command of a holder that is gone; to be called several times a second."""
+        """Release the control of a lost holder; to be called several times a second."""
         with self._lock:
             now = self._clock()
             if now - self._looked > ASLEEP_S:
@@ -98,7 +98,7 @@ class ControlLock:
         self._log(text, "engine", holder.name, "")
 
     def judge(self, request: Request) -> None:
-        """Raise Refused when the request is for the operator in command, and comes from another."""
+        """Raise Refused when the request needs control, which another viewer holds."""
         with self._lock:
             holder = self._holder
             if holder is None:
@@ -116,7 +116,7 @@ class ControlLock:
         )
 
     def take(self, request: Request, force: bool = False) -> dict[str, str]:
-        """Give command to the sender; raise Refused while another holds it, unless forced."""
+        """Give control to the sender; raise Refused while another holds it, unless forced."""
         if not request.client:
             raise Refused("a viewer without an identity cannot take control")
         taker = Holder(request.client, request.operator.strip() or say("another viewer"))
@@ -137,17 +137,17 @@ class ControlLock:
         return {"in_command": taker.name}
 
     def release(self, request: Request) -> None:
-        """Give command back; raise Refused when the sender does not hold it."""
+        """Release control; raise Refused when the sender does not hold it."""
         with self._lock:
             holder = self._holder
             if holder is None or holder.client != request.client:
-                who = say("{} is", holder.name) if holder is not None else say("nobody is")
-                raise Refused("you do not control this rig, {}", who)
+                holding = say("{} is", holder.name) if holder is not None else say("nobody is")
+                raise Refused("you do not control this rig, {}", holding)
             self._holder = None
         self._log(say("released command"), holder.name, holder.name, "")
 
     def present(self, request: Request) -> dict[str, bool]:
-        """Tell the sender whether it is still in command (``judge`` has noted that it lives)."""
+        """Return whether the sender still has control (``judge`` has noted the heartbeat)."""
         holder = self._holder
         return {"in_command": holder is not None and holder.client == request.client}
 
@@ -155,22 +155,22 @@ class ControlLock:
 log = logging.getLogger(__name__)
 
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
-"""Errors that are a sentence for whoever asked, not a defect."""
+"""Errors that are a sentence for the requester, not a defect."""
 
 HAND_LOOKS = 3
-"""Looks at both counts before a hand: of three, one is not held up by the computer."""
+"""Readings of both counts before an action: of three, one is not delayed by the computer."""
 
 
 class RequestHandler:
-    """Answer the requests of all viewers of a host."""
+    """Carry out the requests of all viewers of a host."""
 
     def __init__(self, host: Any) -> None:
-        # An ``EngineHost``, which makes this: named here, the two modules would be a circle.
+        # An ``EngineHost``, which makes this: importing it would make a cycle.
         self._host = host
         self._verbs = self._table()
 
     def handle(self, request: Request) -> Reply:
-        """Carry out a request; what was refused comes back as one sentence, and is logged."""
+        """Carry out a request; a refusal is returned as one sentence, and logged."""
         self._host.reports.note_name(request.operator)
         reply = self._handled(request)
         if not reply.ok:
@@ -194,7 +194,7 @@ class RequestHandler:
         return result if isinstance(result, Reply) else Reply(ok=True, result=result)
 
     def _table(self) -> dict[str, Callable[[Any, Request], Any]]:
-        """Return what each verb does, of the record of its arguments and the request."""
+        """Return the function of each verb, of the record of its arguments and the request."""
         engine, command, simulated = self._host.engine, self._host.command, self._host.simulated
         return {
             "hello": lambda a, by: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
@@ -232,7 +232,7 @@ class RequestHandler:
             "zero": self._zero_request,
             "inject_fault": lambda a, by: simulated.process.inject(tree_of(a)),
             "clear_fault": lambda a, by: simulated.process.clear(a.kind),
-            "signals": lambda a, by: tree_of(engine.hear(a.window_s)),
+            "signals": lambda a, by: tree_of(engine.signal_view(a.window_s)),
             "hand": self._hand_request,
             "simulation_state": lambda a, by: simulated.process.state(),
             "shutdown": lambda a, by: self._host.ended.set(),
@@ -247,7 +247,7 @@ class RequestHandler:
         self._host.engine.set_limit(requested.name, requested.value, by.operator, requested.reason)
 
     def _hand_request(self, requested: Hand, by: Request) -> dict[str, int]:
-        """Let the simulated hands do something; return the first device sample after it."""
+        """Carry out a simulated operator's action; return the first device sample after it."""
         simulated, behind = self._host.simulated, self._host.behind
         process = simulated.process
         for _ in range(HAND_LOOKS):
@@ -265,7 +265,7 @@ class RequestHandler:
         self._host.engine.resume(by.operator)
 
     def _zero_request(self, requested: Zero, by: Request) -> Any:
-        self._host.calibration.judge()  # what hangs on the pin would be in the zero
+        self._host.calibration.judge()  # a weight on the pin would be in the zero
         return self._host.engine.zero(requested.what, by.operator, requested.reason)
 
     def _begin_calibration(self, requested: BeginCalibration, by: Request) -> Any:
@@ -285,7 +285,7 @@ class RequestHandler:
         self._put_together()
 
     def _put_together(self) -> None:
-        """Take the hands of a training off the simulated rig: the crank would stay locked."""
+        """Undo a training on the simulated rig: the crank would stay locked."""
         try:
             if self._host.engine.state not in ACTIVE:
                 self._host.simulated.put_together()

@@ -1,11 +1,11 @@
-"""Going on with an interrupted test: what its file says, what the rig is now, what differs.
+"""Resuming an interrupted test: the differences between its file and the rig now.
 
-``read_past`` reads the file, ``compare`` judges (pure), ``remarks`` says what goes into the log.
+``read_past`` reads the file, ``compare`` judges (pure), ``remarks`` returns the log entries.
 A device of another kind, another encoder, a simulated device in place of a real one, an expired
 calibration refuse; another calibration, a zero or signals at rest that moved by more than
 ``ZERO_SHARE`` of the full scale need a reason, which is recorded; smaller things are noted. Signals
-at rest are compared where the crank is known to stand as it stood: spring and weight press on the
-pin by other forces at another angle.
+at rest are compared where the crank is known to be at the same angle: spring and weight press on
+the pin by other forces at another one.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ SAME_ANGLE_DEG = 5.0
 """Within it a spring of 525 N/m on a crank of 76 mm presses by 3.5 N more or less."""
 
 FITTED = 50
-"""The twin may not have answered to the last rows: so many of its last depths are followed."""
+"""The twin may not have answered to the last rows: so many of its last depths are used."""
 
 SAME, SAME_ABOUT_ZERO = 1e-9, 1e-15
 """Numbers of two records that differ by less were rounded when they were written."""
@@ -61,7 +61,7 @@ Pair = tuple[float, float]
 
 
 class Fit(enum.StrEnum):
-    """Tell whether something lets the test go on."""
+    """Whether a comparison allows the test to go on."""
 
     GOOD = "good"
     NOTED = "noted"
@@ -70,7 +70,7 @@ class Fit(enum.StrEnum):
 
 
 class Compared(msgspec.Struct, frozen=True):
-    """One comparison: what, how it was, how it is now, what follows."""
+    """One comparison: subject, before, now, consequence."""
 
     what: str
     before: str
@@ -102,7 +102,7 @@ class Resumption(msgspec.Struct, frozen=True):
 
     @property
     def asks_reason(self) -> str:
-        """Return what a reason must be given for, empty when nothing."""
+        """Return what needs a reason, empty for nothing."""
         return joined(
             "; ", (finding.sentence for finding in self.findings if finding.fit is Fit.REASON)
         )
@@ -110,9 +110,9 @@ class Resumption(msgspec.Struct, frozen=True):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Past:
-    """What a file says of its test. rest: the load cell's signals at rest before its start, mV/V.
+    """The state of a test in its file. rest: the load cell's signals before its start, mV/V.
 
-    worn: how far its specimen was at the last row; None when it is not known.
+    worn: wear of its specimen at the last row; None when unknown.
     new_position_um: of the pin in the new bushing.
     """
 
@@ -130,7 +130,7 @@ class Past:
 
 
 def read_past(path: Path) -> Past:
-    """Read what a resumption needs to know of a file; raise UnusableInput.
+    """Read the data of a file that a resumption needs; raise UnusableInput.
 
     A complete test and one that another process writes are refused here, before a device is opened.
     """
@@ -185,10 +185,10 @@ def _new_position(reader: Any) -> Pair | None:
 
 
 def wear_of(reader: TestReader) -> SpecimenWear | None:
-    """Return how far the specimen is worn at a test's last row: a line through the newest depths.
+    """Return the wear of the specimen at a test's last row: a line through the newest depths.
 
-    Of depths that are not believed any more the last believed one; where none is known, as it was
-    when the test was begun.
+    If depths are not believed any more, the last believed one; if none is known, that of the
+    test's start.
     """
     worn: SpecimenWear | None = None
     for event in reader.events():
@@ -254,37 +254,37 @@ def _of_rig(past: Past, rig: RigFile) -> Iterator[Compared]:
     same = past.rig.name == rig.name
     yield Compared("Rig", past.rig.name, rig.name, Fit.GOOD if same else Fit.NOTED)
     for role, what in (("encoder", say("Data acquisition")), ("spindle", "Drive")):
-        then, here = (file.devices[getattr(file, role).device] for file in (past.rig, rig))
-        yield from _of_kind(what, then, here, Fit.BLOCKS)
-        if then.driver == here.driver:
-            yield Compared(what, then.driver, here.driver)
+        then, device = (file.devices[getattr(file, role).device] for file in (past.rig, rig))
+        yield from _of_kind(what, then, device, Fit.BLOCKS)
+        if then.driver == device.driver:
+            yield Compared(what, then.driver, device.driver)
         else:
             text = say(
                 "the test was made with a {}, this rig has a {}: use the rig of the test",
                 then.driver,
-                here.driver,
+                device.driver,
             )
-            yield Compared(what, then.driver, here.driver, Fit.BLOCKS, text)
+            yield Compared(what, then.driver, device.driver, Fit.BLOCKS, text)
     instruments = {rig.encoder.device, rig.spindle.device}
-    for name, here in rig.devices.items():
+    for name, device in rig.devices.items():
         if name in past.rig.devices and name not in instruments:
-            yield from _of_kind(name, past.rig.devices[name], here, Fit.REASON)
+            yield from _of_kind(name, past.rig.devices[name], device, Fit.REASON)
 
 
 def _of_kind(
-    what: str, then: DeviceSection, here: DeviceSection, otherwise: Fit
+    what: str, then: DeviceSection, now: DeviceSection, otherwise: Fit
 ) -> Iterator[Compared]:
-    """Compare whether a device is simulated: measured values are not continued by invented ones."""
-    was, is_now = ("simulated" if device.simulated else "real" for device in (then, here))
+    """Compare whether a device is simulated: measured and simulated values must not mix."""
+    was, is_now = ("simulated" if device.simulated else "real" for device in (then, now))
     if was != is_now:
         text = say("{}: {} in the test, {} in this rig", what, was, is_now)
         yield Compared(say("Kind of device"), was, is_now, otherwise, text)
 
 
 def _of_channels(past: Past, measured: ChannelTable) -> Iterator[Compared]:
-    gone = missing_channels(past.channels, measured)
-    if gone:
-        yield Compared("Channels", "", "", Fit.BLOCKS, gone)
+    missing = missing_channels(past.channels, measured)
+    if missing:
+        yield Compared("Channels", "", "", Fit.BLOCKS, missing)
     for channel in measured.channels:
         if channel.name not in past.channels:
             text = say(
@@ -328,7 +328,7 @@ def _steady_equal(key: str, before: Any, now: Any) -> bool:
 
 
 def _same(before: Any, now: Any) -> bool:
-    """Compare what an older or a newer program may not have written: nothing counts as zeros."""
+    """Compare values that another version may not have written: missing counts as zeros."""
     if before is not None and now is not None:
         return _equal(before, now)
     try:
@@ -373,20 +373,20 @@ def _of_calibration(past: Past, calibration: Calibration) -> Iterator[Compared]:
             name = names[1] or say("numbers of the rig file")
             yield Compared(what, name, name, Fit.GOOD, say("as before"))
             continue
-        before, here = (
+        old, new = (
             str(joined(", ", (say("{} {}", key, record.get(key, "none")) for key in changed)))
             for record in (then, now)
         )
         text = say("{} is not that of the test ({})", what.lower(), joined(", ", changed))
-        yield Compared(what, before, here, fit, text)
+        yield Compared(what, old, new, fit, text)
     was, is_now = (record.get("acquisition", {}) for record in (past.calibration, present))
-    before, here = (str(record.get("clock", "time")) for record in (was, is_now))
-    if before != here:
-        text = say("the test was sampled by {}, this rig samples by {}", before, here)
-        yield Compared(say("Sample clock"), before, here, Fit.BLOCKS, text)
-    before, here = (f"{record.get('sample_rate_Hz', 0.0):g} Hz" for record in (was, is_now))
-    if before != here:
-        yield Compared(say("Sample rate"), before, here, Fit.NOTED)
+    old, new = (str(record.get("clock", "time")) for record in (was, is_now))
+    if old != new:
+        text = say("the test was sampled by {}, this rig samples by {}", old, new)
+        yield Compared(say("Sample clock"), old, new, Fit.BLOCKS, text)
+    old, new = (f"{record.get('sample_rate_Hz', 0.0):g} Hz" for record in (was, is_now))
+    if old != new:
+        yield Compared(say("Sample rate"), old, new, Fit.NOTED)
 
 
 def _of_zero(
@@ -398,12 +398,12 @@ def _of_zero(
     def compared(what: str, before: Any, now: Any, words: str) -> Compared:
         shift = calibration.load_cell.matrix @ (np.asarray(now) - np.asarray(before))
         size = float(np.hypot(*shift))
-        then, here = (
+        old, new = (
             joined(", ", (f"{value:.5f}" for value in signals)) + " mV/V"
             for signals in (before, now)
         )
         if size <= limit:
-            return Compared(what, then, here, Fit.GOOD, say("moved by {:.1f} N", size))
+            return Compared(what, old, new, Fit.GOOD, say("moved by {:.1f} N", size))
         text = say(
             "{} by {:.1f} N, more than {:g} N ({:g} % of the full scale)",
             words,
@@ -411,7 +411,7 @@ def _of_zero(
             limit,
             100 * ZERO_SHARE,
         )
-        return Compared(what, then, here, Fit.REASON, text)
+        return Compared(what, old, new, Fit.REASON, text)
 
     if "zero_mV_per_V" in cell:
         cell_now = calibration.load_cell
@@ -433,7 +433,7 @@ def _of_zero(
         words = say("with the crank at rest the load cell shows a force that differs")
         yield compared(say("Load cell at rest"), past.rest.pair, rest.pair, words)
         return
-    then, here = (
+    old, new = (
         say("crank angle not known") if angle is None else say("crank at {:.0f} deg", angle)
         for angle in where
     )
@@ -441,7 +441,7 @@ def _of_zero(
         "not compared: the crank is not known to stand as it stood, and a spring"
         " presses by its angle"
     )
-    yield Compared(say("Load cell at rest"), then, here, Fit.NOTED, text)
+    yield Compared(say("Load cell at rest"), old, new, Fit.NOTED, text)
 
 
 def _same_angle(before: float | None, now: float | None) -> bool:
@@ -460,7 +460,7 @@ def stored_tare(past: Past) -> tuple[Pair, float | None] | None:
 
 
 def remarks(resumption: Resumption, operator: str, reason: str) -> list[LogEntry]:
-    """Return what goes into the log.
+    """Return the log entries.
 
     Raises Refused when the test cannot go on, or not without a reason.
     """

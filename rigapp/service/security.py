@@ -1,4 +1,4 @@
-"""Where an engine listens, and who may attach: by Unix sockets freely, to ports by key.
+"""The addresses of an engine and access to them: by Unix sockets freely, to ports by key.
 
 Every account of a computer reaches its ports, those of loopback too. So each viewer of a port needs
 a CurveZMQ key pair whose public half lies in the engine's folder of authorised viewers; the
@@ -34,9 +34,9 @@ Socket = zmq.Socket[Any]
 
 
 class Bind(msgspec.Struct, frozen=True):
-    """Say where an engine listens; port 0 lets the system choose.
+    """The address where an engine listens; port 0 lets the system choose.
 
-    remote: viewers of other computers are expected there.
+    remote: viewers on other computers are expected.
     """
 
     address: str
@@ -59,10 +59,10 @@ class KeyPair(msgspec.Struct, frozen=True):
 
 
 def parse_bind(text: str) -> Bind:
-    """Return where ``--bind tcp://ADDRESS:PORT`` asks to listen; raise UnusableInput.
+    """Return the address of ``--bind tcp://ADDRESS:PORT``; raise UnusableInput.
 
-    A wildcard is refused: viewers could not know
-    the address from the entry, and it would open interfaces that nobody thought of.
+    A wildcard is refused: viewers could not take the address from the entry, and it would open
+    unintended interfaces.
     """
     parts = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
     if parts is None:
@@ -78,7 +78,7 @@ def parse_bind(text: str) -> Bind:
 def interface_address(option: str, name: str) -> Address:
     """Return the address of one interface by its number, or "localhost"; raise UnusableInput.
 
-    option: as it was given, for the sentence.
+    option: its name, for the sentence.
     """
     try:
         address = ipaddress.ip_address("127.0.0.1" if name == "localhost" else name)
@@ -134,7 +134,7 @@ class KeyCheck:
     """Let only authorised viewers attach to the sockets of one context (ZAP, CurveZMQ)."""
 
     def __init__(self, context: Context, folder: Path) -> None:
-        """Begin to answer; must come before the sockets are bound."""
+        """Start the authenticator; must come before the sockets are bound."""
         self._authorised = authorised_folder(folder)
         self._keys = server_keys(folder)
         self._authenticator = ThreadAuthenticator(context)
@@ -143,36 +143,36 @@ class KeyCheck:
 
     @property
     def public_key(self) -> str:
-        """Return what viewers must know: the server's public key."""
+        """Return the server's public key, which viewers need."""
         return self._keys.public.decode()
 
     def protect(self, socket: Socket) -> None:
-        """Make a socket that is not bound yet demand an authorised key."""
+        """Make a socket that is not bound yet require an authorised key."""
         socket.curve_publickey = self._keys.public
         socket.curve_secretkey = self._keys.secret
         socket.curve_server = True
         socket.zap_domain = DOMAIN.encode()
-        # Without this, a socket whose authenticator has died would let everybody in.
+        # Without this, a socket whose authenticator has died would accept every viewer.
         socket.setsockopt(zmq.ZAP_ENFORCE_DOMAIN, 1)
 
     def callback(self, domain: str, key: bytes) -> bool:
-        """Tell whether a viewer's public key is authorised (called by the authenticator)."""
+        """Return whether a viewer's public key is authorised (called by the authenticator)."""
         return key in _public_keys(self._authorised)
 
     def close(self) -> None:
-        """Let nobody in any more."""
+        """Stop the authenticator: no viewer is accepted any more."""
         self._authenticator.stop()
 
 
 def present_keys(socket: Socket, server_key: str, keys: KeyPair) -> None:
-    """Make a viewer's socket that is not connected yet show its key and demand the server's."""
+    """Make a viewer's socket that is not connected yet send its key and require the server's."""
     socket.curve_publickey = keys.public
     socket.curve_secretkey = keys.secret
     socket.curve_serverkey = server_key.encode()
 
 
 def _public_keys(folder: Path) -> set[bytes]:
-    """Return the public keys of a folder; what is no key file authorises nobody."""
+    """Return the public keys of a folder; other files are ignored."""
     result = set()
     for path in folder.glob("*.key"):
         try:

@@ -2,12 +2,12 @@
 
 Commands arrive on a ROUTER socket and are answered in the order in which they finish; each safety
 verb has threads of its own (``verbs``, ``RequestQueue``), so that no number of slow ones delays
-it. What is too much at once is answered "busy", what cannot be read is answered and survived.
+it. Too many requests at once are answered "busy", unreadable ones are answered and survived.
 Snapshots leave on a second ROUTER socket, to every viewer that sent an empty message, with a short
 queue for each: a viewer that lags misses some, and sees the gap in ``Snapshot.first_row``. It is
 no PUB socket: that one keeps every topic that a viewer subscribes to, without a bound.
-``Server.watched`` tells whether anyone looks. With keys, a viewer whose key is not authorised
-reaches neither.
+``Server.watched`` returns whether a viewer is attached. With keys, a viewer whose key is not
+authorised reaches neither.
 """
 
 from __future__ import annotations
@@ -38,13 +38,13 @@ from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
 from rigapp.texts import say, sentence_of_error
 
-# Receive the messages of viewers, and end the connection of one that takes memory without a bound.
+# Receive the messages of viewers, and end a connection that takes memory without a bound.
 #
 # libzmq holds the parts of a message until its last one has come, and bounds neither their number
 # nor their sum: ``MAXMSGSIZE`` bounds one part, ``RCVHWM`` counts whole messages. A program that
 # speaks ZMTP by itself and never ends its message filled 500 MB in 0.8 s. So the growth of the
-# process is watched, and connections are ended at the level of the operating system: libzmq frees
-# what they held, and a viewer that was ended beside them connects again by itself.
+# process is monitored, and connections are ended at the level of the operating system: libzmq frees
+# their memory, and an innocent viewer among them connects again by itself.
 
 GROWTH_BYTES = 100_000_000
 """An engine grows by 15 MB from its start to a running test, and stays there."""
@@ -57,10 +57,10 @@ Socket = zmq.Socket[bytes]
 
 
 class Connections:
-    """Know the connections of some sockets; all calls belong to the thread that serves them."""
+    """The connections of some sockets; all calls belong to the thread that serves them."""
 
     def __init__(self, sockets: Iterable[Socket]) -> None:
-        """Begin to watch; the sockets are not bound yet."""
+        """Begin to monitor sockets that are not bound yet."""
         events = zmq.EVENT_ACCEPTED | zmq.EVENT_DISCONNECTED
         self._monitors = [socket.get_monitor_socket(events) for socket in sockets]
         self._handles: set[int] = set()
@@ -69,7 +69,7 @@ class Connections:
         self._settled_s = math.inf
 
     def receive(self, socket: Socket) -> list[bytes]:
-        """Return sender and body of the next message, nothing of one that is not to be answered.
+        """Return sender and body of the next message, nothing for one without an answer.
 
         A message of too many parts is ignored, and its sender's connection ended while it goes on
         to send. Raises zmq.Again where none waits.
@@ -104,7 +104,7 @@ class Connections:
             return
         guilty = {handle for handle in self._handles if _sends(handle)}
         if not guilty and not busy:
-            if now_s > self._settled_s:  # it was none of them that has taken the memory
+            if now_s > self._settled_s:  # none of them has taken the memory
                 self._usual, self._settled_s = used, math.inf
                 return
             guilty = set() if self._settled_s < math.inf else set(self._handles)
@@ -114,7 +114,7 @@ class Connections:
         self._end(guilty)
 
     def _note(self) -> None:
-        """Take note of the connections that have begun and ended."""
+        """Record the connections that have begun and ended."""
         for monitor in self._monitors:
             while monitor.poll(0):
                 event = recv_monitor_message(monitor)
@@ -134,7 +134,7 @@ class Connections:
 
 
 def _sends(handle: int) -> bool:
-    """Tell whether a connection has sent what was not read yet; that of a viewer rarely has."""
+    """Return whether a connection has unread data; that of a viewer rarely has."""
     try:
         connection = os_socket.socket(fileno=handle)
     except OSError:
@@ -151,36 +151,36 @@ UNDER_WAY = {Priority.SAFETY: 4, Priority.LOOK: 16, Priority.WORK: 16}
 """Requests that are carried out at once: of each safety verb, and of each other lane."""
 
 REQUEST_QUEUE = 100  # of each connection: 6.4 MB at most
-SNAPSHOT_QUEUE = 4  # a viewer that lags wants the newest
+SNAPSHOT_QUEUE = 4  # a viewer that lags needs the newest
 SUBSCRIPTION = b""
-"""What a viewer sends to get snapshots; nothing else is accepted there."""
+"""The message of a viewer that subscribes to snapshots; nothing else is accepted there."""
 SUBSCRIPTION_BYTES = 1024  # a CurveZMQ handshake takes about 300
 VIEWERS = 64
 """Viewers that get snapshots at once; a rig has a few windows and a page."""
 PUBLISH_PERIOD_S = 0.05  # as smoothly do live values move, to an eye
 MEMORY_PERIOD_S = 0.05  # a sender on this computer fills 30 MB meanwhile
 HASTE_S = 0.1
-"""In so long, two snapshots are sent out of their turn: of a revolution that has just ended, and of
-its prediction. A real rig turns more slowly; one that is simulated faster waits for its turn."""
-POLL_MS = 10  # so late may a request be seen
-CLOSE_S = 5.0  # answering what is under way; a handler that takes longer is left behind
-LINGER_MS = 200  # so long may the last snapshot take to leave
+"""In this time, two snapshots are sent early: of a revolution that has just ended, and of its
+prediction. A real rig turns more slowly; a faster simulated one waits for its turn."""
+POLL_MS = 10  # latest delay of a request
+CLOSE_S = 5.0  # for requests under way; a handler that takes longer is abandoned
+LINGER_MS = 200  # longest time for sending the last snapshot
 
 Handler = Callable[[Request], Reply]
 Source = Callable[[], Snapshot]
 
 
 class _Head(msgspec.Struct, frozen=True):
-    """What every version of a request has: enough to answer one that is not ours."""
+    """The common part of every version of a request: enough to answer one of another version."""
 
     version: int = 0
     identifier: int = 0
 
 
 class RequestQueue:
-    """Give each request a thread while its lane has one left.
+    """Run each request in a thread while its priority has one left.
 
-    They are daemons: one that hangs on a device or a file never keeps the process from ending.
+    They are daemons: a hanging one never keeps the process from ending.
     """
 
     def __init__(self) -> None:
@@ -189,7 +189,7 @@ class RequestQueue:
 
     @property
     def busy(self) -> bool:
-        """Tell whether a request is under way."""
+        """Return whether a request is under way."""
         with self._lock:
             return any(self._under_way.values())
 
@@ -239,9 +239,9 @@ class Server:
     ) -> None:
         """Bind at once, so that the addresses are known; ``start`` begins to serve.
 
-        on_failure: told in the serving thread that viewers get no snapshots, or nothing at all.
-        on_viewers: told when the first viewer comes and when the last one has gone.
-        waits: tells whether there is something that viewers are to have at once.
+        on_failure: called in the serving thread when viewers get no snapshots, or nothing at all.
+        on_viewers: called when the first viewer comes and when the last one has gone.
+        waits: returns whether there is data that viewers must have at once.
         keys: the folder with the keys, when viewers must show theirs. Raises UnusableInput
         when an address cannot be had.
         """
@@ -255,7 +255,7 @@ class Server:
         self._key_check = KeyCheck(self._context, keys) if keys is not None else None
         self._router = self._context.socket(zmq.ROUTER)
         self._publisher = self._context.socket(zmq.ROUTER)
-        self._publisher.setsockopt(zmq.ROUTER_MANDATORY, 1)  # a viewer that has gone is an error
+        self._publisher.setsockopt(zmq.ROUTER_MANDATORY, 1)  # a lost viewer is an error
         for socket, size, waiting in (
             (self._router, MESSAGE_BYTES, REQUEST_QUEUE),
             (self._publisher, SUBSCRIPTION_BYTES, SNAPSHOT_QUEUE),
@@ -280,7 +280,7 @@ class Server:
 
     @property
     def public_key(self) -> str:
-        """Return the key that viewers must know, empty where none is needed."""
+        """Return the key that viewers need, empty where none is needed."""
         return self._key_check.public_key if self._key_check is not None else ""
 
     def start(self) -> None:
@@ -288,7 +288,7 @@ class Server:
         self._thread.start()
 
     def close(self) -> None:
-        """Publish the last snapshot, answer what is under way, release the sockets."""
+        """Publish the last snapshot, answer requests under way, release the sockets."""
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join(timeout=CLOSE_S)
@@ -312,7 +312,7 @@ class Server:
 
     @property
     def alive(self) -> bool:
-        """Tell whether the serving thread lives."""
+        """Return whether the serving thread is alive."""
         return self._thread.is_alive()
 
     def _serve(self) -> None:
@@ -342,7 +342,7 @@ class Server:
 
     @property
     def watched(self) -> bool:
-        """Tell whether a viewer is attached."""
+        """Return whether a viewer is attached."""
         return bool(self._viewers)
 
     def _subscribe(self) -> None:
@@ -371,14 +371,14 @@ class Server:
             return
         sender, body = message
         identifier = 0
-        # Any error at all: what a stranger sends must never end the thread that hears "stop".
+        # Any error: a strange message must never end the thread that receives "stop".
         try:
             head = msgspec.msgpack.decode(body, type=_Head)
             identifier = head.identifier
             if head.version == PROTOCOL_VERSION:
                 request = bounded(msgspec.msgpack.decode(body, type=Request))
                 why_not = self._lanes.submit(request.verb, lambda: self._work(sender, request))
-            else:  # a plain string: an older viewer knows nothing else
+            else:  # a plain string for an older viewer
                 why_not = str(other_version(PROTOCOL_VERSION, head.version))
         except Refused as error:
             why_not = sentence_of_error(error)
@@ -415,22 +415,22 @@ class Server:
                 self._told = True
                 self._on_failure(say("No snapshot could be made for windows ‹{}›.", repr(error)))
             return
-        gone = set()
+        lost = set()
         for viewer in self._viewers:
             try:
                 self._publisher.send_multipart([viewer, body], zmq.NOBLOCK)
             except zmq.Again:
                 continue  # its queue is full
             except zmq.ZMQError:
-                gone.add(viewer)
-        if gone:
-            self._viewers -= gone
+                lost.add(viewer)
+        if lost:
+            self._viewers -= lost
             if not self._viewers:
                 self._note_viewers()
 
 
 class _Period:
-    """Tell when the next of a row of equally spaced moments has come."""
+    """A period: returns whether its next moment has come."""
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
@@ -446,14 +446,14 @@ class _Period:
 
 
 class _Haste:
-    """Allow something twice in a time."""
+    """Allow an action twice in a time."""
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
         self._last = self._before = -math.inf
 
     def allowed(self, now: float) -> bool:
-        """Return True if it may happen now, and take note that it does; now: s of any clock."""
+        """Return True, and count it, if the action may happen now; now: s of any clock."""
         if now - self._before < self._seconds:
             return False
         self._before, self._last = self._last, now

@@ -17,7 +17,7 @@ Speed = float | Literal["max"]
 
 
 def parse_speed(text: str | None, rig: Document[RigFile]) -> Speed | None:
-    """Return the speed that ``--speed`` asks for, the rig file's without it; raise UnusableInput.
+    """Return the speed of ``--speed``, that of the rig file without it; raise UnusableInput.
 
     None when its samples are not simulated: the crank turns in real time then.
     """
@@ -41,10 +41,10 @@ def parse_speed(text: str | None, rig: Document[RigFile]) -> Speed | None:
 
 
 class SimulatedDevices:
-    """Keep the simulated rig of one rig file running, with the mechanism of the present test."""
+    """The simulated rig of one rig file, with the mechanism of the present test."""
 
     def __init__(self, rig: Document[RigFile], speed: Speed | None) -> None:
-        """Remember what to start; nothing runs yet."""
+        """Set what to start; nothing runs yet."""
         self._rig = rig
         self.speed = speed
         self._process: SimulatedRig | None = None
@@ -54,11 +54,11 @@ class SimulatedDevices:
 
     @property
     def needed(self) -> bool:
-        """Tell whether any device of the rig is simulated here."""
+        """Return whether any device of the rig is simulated here."""
         return bool(self._rig.record.simulated_devices)
 
     def suits(self, parameters: ParameterFile | None) -> bool:
-        """Tell whether what runs now is the rig of these parameters."""
+        """Return whether the running rig is that of these parameters."""
         if not self.needed:
             return True
         return (
@@ -89,7 +89,7 @@ class SimulatedDevices:
         return self._process
 
     def fit(self, specimen: str, worn_um: float = 0.0) -> bool:
-        """Put the bushing of a test in, worn as it was left, unless it is the one before.
+        """Insert the bushing of a test, worn as it was, unless it is the present one.
 
         True when it was changed. Raises UnusableInput while the spindle turns.
         """
@@ -102,12 +102,12 @@ class SimulatedDevices:
         return True
 
     def hand(self, what: str, details: Mapping[str, Any]) -> None:
-        """Let the simulated hands do something; raise UnusableInput, SimulationFailed."""
+        """Carry out an action of the simulated operator; raise UnusableInput, SimulationFailed."""
         self._handled = True
         self.process.hand(what, **details)
 
     def put_together(self) -> None:
-        """Take simulated hands off the rig: no weight, no mistake, the follower on the pin.
+        """Undo the simulated operator's actions: no weight, no mistake, the follower on the pin.
 
         Raises UnusableInput while the spindle turns, SimulationFailed.
         """
@@ -126,19 +126,19 @@ class SimulatedDevices:
 
 
 class SampleNumbers:
-    """Relate the simulated rig's samples to the engine's, which lag by what is on the wire.
+    """Relate the simulated rig's samples to the engine's, which lag by those on the wire.
 
     The engine's count less the rig's is at most the constant between the two numberings; the
     largest difference seen is the best estimate of it.
     """
 
     def __init__(self) -> None:
-        """Know nothing."""
+        """Begin without an estimate."""
         self._difference: int | None = None
         self._processed = 0
 
     def note(self, processed: int, made: int) -> None:
-        """Take a look at both; ``processed`` is read before ``made``."""
+        """Add a reading of both; ``processed`` is read before ``made``."""
         if self._difference is None or processed < self._processed:
             self._difference = processed - made
         self._processed = processed

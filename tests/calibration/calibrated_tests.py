@@ -130,8 +130,8 @@ def held(bench: Bench, rng: np.random.Generator) -> dict[str, bool]:
     moment, branch = np.full(samples, rng.random()), np.full(samples, rng.random() < 0.5)
     signal = cell.signal(pin + zero, moment, branch, rng)
     raw = np.zeros((len(bench.kind.wires), samples))
-    raw[bench.kind.place("load_cell")] = signal.T
-    told = bench.kind.engineering(raw)[bench.kind.place("load_cell"), :MEAN_OF]
+    raw[bench.kind.inputs_of("load_cell")] = signal.T
+    told = bench.kind.engineering(raw)[bench.kind.inputs_of("load_cell"), :MEAN_OF]
     truth = -force  # the force on the follower by the pin
     stated = stated_in_file(bench, signal[MEAN_OF:])
     found = {}

@@ -19,9 +19,9 @@ from rigapp.config.loading import parse_test
 from rigapp.config.recipe import StopSection, TestFile
 from rigapp.config.rules import described
 from rigapp.engine.judging.criteria import (
-    BLIND_REVOLUTIONS,
     DEPTH_COLUMNS,
     HISTORY_COLUMNS,
+    NO_DATA_REVOLUTIONS,
     StopMonitor,
 )
 from rigapp.engine.recording.store import Opened
@@ -217,12 +217,12 @@ def test_the_deviation_is_judged_where_the_twin_answers() -> None:
 
 def test_a_criterion_that_sees_nothing_is_named() -> None:
     monitor = StopMonitor(StopSection(wear_depth_um=50.0, force_N=300.0))
-    for n in range(1, BLIND_REVOLUTIONS + 1):
+    for n in range(1, NO_DATA_REVOLUTIONS + 1):
         monitor.row(a_row(n))
         monitor.prediction(n, an_answer())
     assert monitor.no_data() == ["wear_depth_um"]
-    monitor.row(a_row(BLIND_REVOLUTIONS + 1))
-    monitor.prediction(BLIND_REVOLUTIONS + 1, an_answer(measured_wear_depth=0.001))
+    monitor.row(a_row(NO_DATA_REVOLUTIONS + 1))
+    monitor.prediction(NO_DATA_REVOLUTIONS + 1, an_answer(measured_wear_depth=0.001))
     assert monitor.no_data() == []
 
 

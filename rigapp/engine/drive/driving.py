@@ -1,12 +1,12 @@
 """The one place that commands the spindle.
 
-A stop overrules everything: once it is asked for, no other command reaches the drive until a new
-start. The thread that asks for a stop sends it itself; the drive thread then sees to it that the
-spindle really stands.
+A stop overrules everything: once it is requested, no other command reaches the drive until a new
+start. The thread that requests a stop sends it itself; the drive thread then makes sure that the
+spindle comes to a standstill.
 
-Two locks: ``_deciding`` guards what is to be done and is never held while the drive is asked;
+Two locks: ``_deciding`` guards what is to be done and is never held while the drive is called;
 ``_commanding`` is held around a speed command or a reset, which may take seconds. A power-off takes
-the second one of nobody: it waits for no other command.
+no lock: it waits for no other command.
 """
 
 from __future__ import annotations
@@ -42,15 +42,15 @@ BLOCKED_S = 1.0
 """A crank that does not move for so long on the way to its rest is blocked."""
 
 SLOW_FROM_PACE = 20.0
-"""A simulated rig that is faster creeps slower by as much: its angle is looked at each 5 ms."""
+"""A simulated rig that is faster creeps slower by as much: its angle is read each 5 ms."""
 
 PROMPT_S = 0.5
-"""An answer that is older is a late one, however often the drive is asked."""
+"""An answer that is older is late, however often the drive is polled."""
 
 
 @dataclass(frozen=True, slots=True)
 class Ramp:
-    """A speed and how fast it is reached. from_rpm: the highest of those before it."""
+    """A speed and its rate of change. from_rpm: the highest of the speeds before it."""
 
     rpm: float
     rpm_per_s: float
@@ -76,7 +76,7 @@ class RestApproach:
 class SpindleControl:
     """Command one spindle; ``step`` belongs to the drive thread, the rest to any thread.
 
-    look: returns what the encoder shows now. pace: the rig's seconds in one of this computer, 1 for
+    look: returns the encoder's readings. pace: the rig's seconds in one of this computer, 1 for
     a real one.
     """
 
@@ -154,7 +154,7 @@ class SpindleControl:
         """Stop, or take the power off; the command is on its way when this returns.
 
         approach: turn on to where the crank rests without power, and stop there. A stop without it
-        takes its place. Never raises: a drive that does not take the command is asked again by the
+        takes its place. Never raises: a command that the drive does not accept is repeated by the
         drive thread.
         """
         seen = self.seen() if approach is not None and not off else None
@@ -217,7 +217,7 @@ class SpindleControl:
 
     @property
     def _ending(self) -> bool:
-        """Tell whether a stop was asked for: no other command may reach the drive then."""
+        """Return whether a stop was requested: no other command may reach the drive then."""
         return self._stop is not None or self._rest is not None
 
     # --- the drive thread ------------------------------------------------------------------------
@@ -229,23 +229,23 @@ class SpindleControl:
 
     @property
     def busy(self) -> bool:
-        """Tell whether a pause or a stop is under way."""
+        """Return whether a pause or a stop is under way."""
         stop = self._stop
         under_way = stop is not None and not stop.done
         return under_way or self._pause is not None or self._rest is not None
 
     @property
     def quiet(self) -> bool:
-        """Tell whether the drive must not hear anything, so that its watchdog acts."""
+        """Return whether nothing may be sent to the drive, so that its watchdog acts."""
         stop = self._stop
         return stop is not None and stop.quiet and not stop.done
 
     @property
     def power_cut(self) -> bool:
-        """Tell whether the drive took the command to cut the power.
+        """Return whether the drive took the command to cut the power.
 
         A crank without power may swing under the spring, faster than it ran: nothing can be done
-        about it, and the stop goes on waiting until it stands.
+        about it, and the stop waits for the standstill.
         """
         stop = self._stop
         return stop is not None and stop.power_cut
@@ -269,7 +269,7 @@ class SpindleControl:
 
     @property
     def ramp_unanswered(self) -> bool:
-        """Tell whether the drive has not accepted a controlled stop for too long.
+        """Return whether the drive has not accepted a controlled stop for too long.
 
         The thread that commanded it may wait behind another command, and the drive thread too.
         """
@@ -278,7 +278,7 @@ class SpindleControl:
 
     @property
     def answering(self) -> bool:
-        """Tell whether the drive answered lately."""
+        """Return whether the drive answered lately."""
         return time.monotonic() - self.answered_s < self.prompt_s
 
     @property
@@ -287,7 +287,7 @@ class SpindleControl:
         return max(PROMPT_S, 3 * self._timing.poll)
 
     def seen(self) -> StandstillEvidence:
-        """Return what drive and encoder show now."""
+        """Return the readings of drive and encoder."""
         status = self.status
         known = status is not None and self.answering
         rpm = status.speed_rev_per_s * 60.0 if status is not None and known else math.nan
@@ -321,7 +321,7 @@ class SpindleControl:
         return do
 
     def _aim(self, sequence: PauseSequence, do: DriveStep) -> DriveStep:
-        """Carry out a step of coming to an angle; give up where the drive refuses."""
+        """Carry out a step towards an angle; give up where the drive refuses."""
         try:
             if do is DriveStep.CREEP:
                 self._send(sequence.creep_rpm, sequence)
@@ -366,7 +366,7 @@ class SpindleControl:
             self._rest_deg = now_deg
 
     def _carry_out(self, do: DriveStep) -> None:
-        """Command the stop under way; a drive that does not take it is asked again."""
+        """Command the stop under way; repeat it until the drive accepts it."""
         stop = self._stop
         if stop is None:
             return
@@ -386,7 +386,7 @@ class SpindleControl:
                 stop.commanded(do, time.monotonic())
 
     def _send_changed(self) -> None:
-        """Send a speed that was changed; one that the drive does not take is sent again."""
+        """Send a changed speed; repeat it until the drive accepts it."""
         with self._deciding:
             if not self._unsent or self._ending:
                 return
@@ -400,7 +400,7 @@ class SpindleControl:
     def _send(self, rpm: float, sequence: PauseSequence | None = None) -> None:
         """Command a speed, unless a stop came first. Raises DeviceError.
 
-        sequence: which commands it; the one that goes to the rest is the beginning of a stop.
+        sequence: which commands it; that of the rest is the beginning of a stop.
         """
         with self._one_command():
             if self._stop is None and self._rest in (None, sequence):
@@ -413,8 +413,7 @@ class SpindleControl:
     def _one_command(self) -> Iterator[None]:
         """Give the drive one command at a time, and repeat a power-off that came meanwhile.
 
-        Which of the two the drive obeyed last is not known, and what became of the command does not
-        matter then.
+        It is not known which of the two the drive executed last.
         """
         with self._commanding:
             before = self._power_offs

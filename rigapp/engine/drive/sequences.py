@@ -1,6 +1,6 @@
-"""How the spindle is brought to a stand: sequences of small decisions, without I/O or clock.
+"""How the spindle is brought to a standstill: sequences of decisions, without I/O or clock.
 
-A sequence is asked again and again what to do now, and is told what drive and encoder show.
+A sequence is called again and again with the readings of drive and encoder; it returns what to do.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ that comes to rest within the coast time of 15 s loses 1/15 of its speed in the 
 STEADY_AT_REST = 3
 """Steady segments in a row that a hand hardly turns; after a stop nobody turns by hand, and one is
 enough."""
-CREEP_RPM = 10.0  # 60 deg/s: one look of the drive thread is a third of a degree
+CREEP_RPM = 10.0  # 60 deg/s: one cycle of the drive thread is a third of a degree
 CREEPING_SHARE, CREEPING_RPM = 1.15, 0.5
 """What the crank may turn faster than creep speed by ripple and counts and creep all the same."""
 
 HALF_LOOK_S = 0.0025
-"""Of the drive's thread while it aims (``Timing.aim``): the look nearest to the angle is taken."""
+"""Of the drive's cycle while it aims (``Timing.aim``): the cycle nearest to the angle is taken."""
 
 
 class DriveStep(enum.Enum):
@@ -46,10 +46,10 @@ class DriveStep(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class StandstillEvidence:
-    """What is known of the spindle now.
+    """The readings of the spindle now.
 
-    drive_rpm: what the drive says, None when it does not answer. encoder_rpm, encoder_stands: what
-    the crank encoder says, None when its data are stale. drive_s, encoder_s: host time of the two.
+    drive_rpm: by the drive, None when it does not answer. encoder_rpm, encoder_stands: by the crank
+    encoder, None when its data are stale. drive_s, encoder_s: host time of the two.
     angle_deg: crank angle now, extrapolated. deg_per_s: its change per second of host time.
     turns: of the crank, signed, by the encoder, or by the drive while its data are stale; turns_s:
     time for them, of the device that has counted.
@@ -67,13 +67,13 @@ class StandstillEvidence:
     turns_s: float = 0.0
 
     def later_than(self, time_s: float) -> bool:
-        """Tell whether what is seen was seen after a host time."""
+        """Return whether the readings are newer than a host time."""
         drive = self.drive_rpm is None or self.drive_s > time_s
         return drive and (self.encoder_stands is None or self.encoder_s > time_s)
 
     @property
     def is_stationary(self) -> bool:
-        """Tell whether all that can be known says that the spindle stands."""
+        """Return whether all readings show a standstill."""
         known = False
         if self.drive_rpm is not None:
             if abs(self.drive_rpm) >= STANDING_RPM:
@@ -85,7 +85,7 @@ class StandstillEvidence:
 
     @property
     def moves(self) -> bool:
-        """Tell whether drive or encoder shows motion; data that are too few show none."""
+        """Return whether drive or encoder shows motion; data that are too few show none."""
         rpm = max(
             abs(self.drive_rpm or 0.0), 0.0 if self.encoder_stands else abs(self.encoder_rpm or 0.0)
         )
@@ -93,7 +93,7 @@ class StandstillEvidence:
 
     @property
     def witnesses(self) -> str:
-        """Return who confirms the stand, in words."""
+        """Return what confirms the standstill, in words."""
         drive, encoder = self.drive_rpm is not None, self.encoder_stands is not None
         if drive and encoder:
             return say("drive and encoder")
@@ -133,13 +133,13 @@ class SpeedTrend:
 
 
 class StopSequence:
-    """Stop: ramp down, see that it stands, take the power off; escalate when it does not stand.
+    """Stop: ramp down, confirm the standstill, take the power off; escalate when it still turns.
 
     What counts is what the encoder shows, not what the drive has acknowledged: the power-off is
     repeated while the crank moves. Where it stays without effect, or is not accepted, nothing is
     sent for a while (``quiet``): what the drive receives feeds its watchdog, and only the watchdog
-    can then stop it. So it is too where the drive alone says that the crank stands: it may err.
-    This goes on after the stop was given up, and begins again when a crank that stood begins to
+    can then stop it. The same applies where only the drive reports a standstill: it may err.
+    This goes on after the stop was given up, and begins again when a stationary crank begins to
     turn.
 
     off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
@@ -174,14 +174,14 @@ class StopSequence:
 
     @classmethod
     def at_rest(cls, coast_s: float, watchdog_s: float) -> StopSequence:
-        """Return a stop that is through, of a crank that nobody has turned yet."""
+        """Return a finished stop, of a crank that has not been turned yet."""
         stop = cls(True, 0.0, 0.0, coast_s, watchdog_s)
         stop.done = stop._off_done = True
         return stop
 
     @property
     def how(self) -> str:
-        """Return how the spindle came to a stand, in words."""
+        """Return how the spindle came to a standstill, in words."""
         if not self._off_done:
             return say("though the drive accepted no command")
         if self.ignored:
@@ -192,21 +192,21 @@ class StopSequence:
 
     @property
     def off(self) -> bool:
-        """Tell whether the power is to be taken off, at once or because the ramp has failed."""
+        """Return whether the power is to be taken off, at once or because the ramp has failed."""
         return self._off
 
     def ramp_unanswered(self, now_s: float) -> bool:
-        """Tell whether a ramp down waits for so long that even the drive's thread must wait."""
+        """Return whether the drive has left a ramp down unanswered for too long."""
         waited_s = now_s - self._trying_since
         return not (self._off or self._ramp_done) and waited_s > 2.0 * IGNORED_S
 
     @property
     def power_cut(self) -> bool:
-        """Tell whether the drive has accepted to be without power."""
+        """Return whether the drive has accepted the power-off."""
         return self._off_done
 
     def commanded(self, do: DriveStep, now_s: float) -> None:
-        """Take note that the drive has accepted a command."""
+        """Record that the drive has accepted a command."""
         self._commanded_s = self._trying_since = self._last_try = now_s
         if do is DriveStep.RAMP_DOWN:
             self._ramp_done = True
@@ -224,7 +224,7 @@ class StopSequence:
     def step(self, seen: StandstillEvidence) -> DriveStep:
         """Return what to do now.
 
-        STANDING comes once for each stand; NO_EFFECT and GIVE_UP once, and the stop goes on.
+        STANDING comes once for each standstill; NO_EFFECT and GIVE_UP once, and the stop goes on.
         """
         if self.done and not self._moves_again(seen):
             return DriveStep.WAIT
@@ -255,7 +255,7 @@ class StopSequence:
         return self._repeat(seen)
 
     def _moves_again(self, seen: StandstillEvidence) -> bool:
-        """Begin anew when a crank moves that stood and that nothing may turn."""
+        """Begin again when a stationary crank moves that nothing may turn."""
         if not seen.moves:
             return False
         self.done, self.by_itself, self.ignored, self.unseen = False, True, False, False
@@ -265,7 +265,7 @@ class StopSequence:
         return True
 
     def _doubted(self, is_stationary: bool, seen: StandstillEvidence) -> bool:
-        """Leave the drive to its watchdog, once, where it alone says that the crank stands.
+        """Leave the drive to its watchdog, once, where only the drive reports a standstill.
 
         Its own encoder may be dead, and its acknowledgement of the power-off wrong.
         """
@@ -317,7 +317,7 @@ class StopSequence:
 
 
 class PauseSequence:
-    """Pause: slow down to a creep, stop so that the crank comes to rest at the wanted angle.
+    """Pause: slow down to creep speed, stop so that the crank comes to rest at the set angle.
 
     deceleration_rpm_per_s: of the drive's ramp. limit_s: longest time for all of it. slow_s:
     longest time until the crank creeps. blocked_s: longest time for which it may be stationary on

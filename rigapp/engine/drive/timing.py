@@ -10,8 +10,8 @@ class Timing:
     """Set the engine's periods and time-outs, all in seconds of the host's clock.
 
     read: longest wait for samples. poll: drive status. aim: drive thread while it aims at the pause
-    angle or stops. commit: between two commits. supervise: between two looks at the threads.
-    silence: a thread without a sign of life for so long is dead; silence_commit: the same for the
+    angle or stops. commit: between two commits. supervise: between two checks of the threads.
+    silence: a thread without a heartbeat for so long is dead; silence_commit: the same for the
     committing thread, which a slow disk may delay. queue: samples held between reader and
     processing. standing: the encoder must show no motion for so long. stop_margin: granted to a
     controlled stop beyond its ramp. coast: granted after the power was taken off. start_margin:

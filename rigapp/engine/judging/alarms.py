@@ -1,4 +1,4 @@
-"""The alarm list, after ISA-18.2: what is wrong now, what was, and what the operator did about it.
+"""The alarm list, after ISA-18.2: what is wrong now, what was, and what the operator did.
 
 States of an alarm: *unacknowledged* and *acknowledged* while its condition holds; *returned* when
 it went away before anyone acknowledged; *latched* when it went away but must be reset; *shelved*
@@ -19,10 +19,10 @@ from rigapp.schema.messages import Alarm, Ends, Severity
 from rigapp.schema.states import Refused
 from rigapp.texts import Sentence, joined
 
-LONGEST_SHELF_S = 12 * 3600.0  # a shift: nobody inherits a hidden alarm
+LONGEST_SHELF_S = 12 * 3600.0  # a shift: the next one inherits no hidden alarm
 
 Changed = Callable[[Alarm, AlarmChange, str], None]
-"""Told of every change: the alarm after it, what happened, and who or what did it."""
+"""Called with every change: the alarm after it, what happened, and who or what did it."""
 
 
 @dataclass(slots=True)
@@ -65,7 +65,7 @@ class _Entry:
 class AlarmBook:
     """Keep the alarm list; any thread may call it.
 
-    clock: UTC seconds. on_change: told outside the lock, in the caller's thread. elapsed: seconds
+    clock: UTC seconds. on_change: called outside the lock, in the caller's thread. elapsed: seconds
     that no change of the computer's clock shortens or lengthens, for shelving.
     """
 
@@ -87,7 +87,7 @@ class AlarmBook:
     def claim_first_out(self, cause: Cause) -> None:
         """Let this alarm be the first-out one, if none is yet, though another may be raised before.
 
-        What ends a test commands the drive first and raises its alarm then.
+        The code that ends a test commands the drive first and raises its alarm then.
         """
         with self._lock:
             if cause.kind.latched and not self._first_out_given:
@@ -116,7 +116,7 @@ class AlarmBook:
         return True
 
     def clear(self, key: str) -> None:
-        """Take note that the condition of an alarm has gone."""
+        """Record that the condition of an alarm has gone."""
         now = self._elapsed()
         with self._lock:
             entry = self._entries.get(key)
@@ -129,9 +129,9 @@ class AlarmBook:
         self._tell("cleared", alarm, "engine")
 
     def clear_ended_by(self, *ends: Ends) -> None:
-        """Take note of what ends every condition of these kinds."""
+        """Clear the alarms whose conditions end in one of these ways."""
         with self._lock:
-            keys = [key for key, one in self._entries.items() if one.cause.kind.ends in ends]
+            keys = [key for key, entry in self._entries.items() if entry.cause.kind.ends in ends]
         for key in keys:
             self.clear(key)
 
@@ -199,11 +199,11 @@ class AlarmBook:
                     raise Refused('"{}" is still active: {}', title, kind.action)
                 if kind.latched and not entry.acknowledged:
                     raise Refused('"{}" is not acknowledged; do that first', title)
-            gone = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
+            cleared = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
             self._entries = {k: e for k, e in self._entries.items() if e.active}
             self._first_out_given = False
             self._claimed = ""
-        for alarm in gone:
+        for alarm in cleared:
             self._tell("reset", alarm, operator)
 
     def blocking(self) -> Alarm | None:
@@ -216,7 +216,7 @@ class AlarmBook:
         return None
 
     def is_active(self, key: str) -> bool:
-        """Tell whether the condition of an alarm holds."""
+        """Return whether the condition of an alarm holds."""
         with self._lock:
             entry = self._entries.get(key)
             return entry is not None and entry.active
@@ -227,7 +227,7 @@ class AlarmBook:
         with self._lock:
             result = [entry.alarm(now) for entry in self._entries.values()]
         return tuple(
-            sorted(result, key=lambda one: (one.severity is not Severity.CRITICAL, one.raised_at))
+            sorted(result, key=lambda a: (a.severity is not Severity.CRITICAL, a.raised_at))
         )
 
     def _tell(

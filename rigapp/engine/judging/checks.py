@@ -64,14 +64,14 @@ _peak_kernel = njit(
 
 
 NOTHING = np.zeros((2, 0))
-"""Of a pin whose weight is not to be taken off."""
+"""Weight of a pin that is not taken off."""
 
 
 class PeakForce:
     """Find the largest joint force of a block, from the samples as they came."""
 
     def __init__(self, calibration: Calibration) -> None:
-        self._rows = [calibration.rows[i] for i in calibration.place(LOAD_CELL)]
+        self._rows = [calibration.rows[i] for i in calibration.inputs_of(LOAD_CELL)]
         self._gain, self._bias = calibration.force_gain()
         self._quadratic_terms = calibration.load_cell.quadratic_terms
         self._own = calibration.own_weight
@@ -81,7 +81,7 @@ class PeakForce:
         """Return the largest |F| of a block in N; NaN when a sample is not a number.
 
         turning: count of the first sample from the index, and counts from one to the next, for what
-        the pin weighs; None where they are not known, and the weight stays in the force.
+        the pin's weight; None where they are not known, and the weight stays in the force.
         """
         first, second = self._rows
         own = self._own if turning is not None else NOTHING
@@ -101,10 +101,10 @@ AT_THE_END: Final = 0.98
 """A flagged sample belongs to every input whose signal is beyond this share of its range."""
 
 STAYS_S: Final = 0.1
-"""An input counts as saturated after so long without a sound sample: a spike is none."""
+"""An input counts as saturated after so long without a sound sample: a spike does not."""
 
 FLAG: Final = int(Quality.SATURATED)
-"""The flag as a plain number: numpy asks an enumeration for its protocols at every use."""
+"""The flag as a plain number: numpy checks an enumeration for its protocols at every use."""
 
 BACK_S: Final = 0.5
 """It counts as sound again after so long without a saturated one."""
@@ -164,17 +164,17 @@ def _trailing(condition: NDArray[np.bool_], before: int) -> int:
 
 # Compare, once after every start, the crank's speed by its encoder and by the drive.
 #
-# A gear ratio, a number of counts or a belt that is not what the rig file says shows here and
-# nowhere else: the drive holds the speed it believes in, and every revolution looks whole. In a
+# A gear ratio, a number of counts or a belt that differs from the rig file shows here and
+# nowhere else: the drive holds its own speed, and every revolution looks whole. In a
 # ramp both speeds are of different moments: there only a difference counts that no lateness
 # explains, so that a test is also judged that ends before it reaches its set speed.
 
 AGREE: Final = 0.1
-"""Share of the set speed within which both must tell the same; ripple and age of the drive's answer
+"""Share of the set speed within which both must agree; ripple and age of the drive's answer
 stay well below at a steady speed, a wrong gear or pulley does not."""
 
 LATE_S: Final = 0.5
-"""How far apart the moments of two speeds of a ramp may be, of the rig's time: the drive is asked
+"""How far apart the moments of two speeds of a ramp may be, of the rig's time: the drive is polled
 each 0.1 s and filters its speed over some of that, and the encoder's is a mean over 0.1 s."""
 
 RAMP_FROM: Final = 0.25
@@ -185,12 +185,12 @@ ANSWERS: Final = 5
 
 
 TURNING: Final = 0.5
-"""Share of the set speed that the encoder must show: one that stands is lost, not wrong."""
+"""Share of the set speed that the encoder must show: without any motion it is lost, not wrong."""
 
 
 @dataclass(slots=True)
 class SpeedComparison:
-    """What is known since the last start; undecided until enough answers in a row say the same."""
+    """The comparison since the last start; undecided until enough answers in a row agree."""
 
     decided: bool = True
     last_answer_s: float = 0.0
@@ -198,7 +198,7 @@ class SpeedComparison:
     differed: int = 0
 
     def begin(self) -> None:
-        """Compare anew, from the drive's next answer on."""
+        """Start the comparison again with the drive's next answer."""
         self.decided = False
         self.agreed = self.differed = 0
 
@@ -210,7 +210,7 @@ class SpeedComparison:
         target_rpm: float,
         late_rpm: float | None = None,
     ) -> bool:
-        """Take both speeds, rpm; True once when they differ for good.
+        """Take both speeds, rpm; True once, when enough answers in a row differ.
 
         answered_s: when the drive answered; an answer counts once. A speed that is no number, of a
         drive that measures none, agrees with every other. late_rpm: by how much a ramp changes the

@@ -2,7 +2,7 @@
 
 Only judged revolutions count: whole ones at the set speed. A revolution without a value (NaN, no
 answer of the twin) is left out: it fulfils nothing and interrupts nothing. A criterion that has had
-no value for ``BLIND_REVOLUTIONS`` judged revolutions is *blind*, which the caller tells loudly.
+no value for ``NO_DATA_REVOLUTIONS`` judged revolutions has *no data*, which raises an alarm.
 
 Elapsed time is the column ``time``, with pauses and interruptions; running time is the time in
 which the crank turned. Wear depth and wear rate are judged where the twin answers, by the number
@@ -28,31 +28,31 @@ from rigapp.schema.messages import NOT_STEADY
 
 Array = NDArray[np.float64]
 
-BLIND_REVOLUTIONS = 200  # some minutes at usual speeds: a sensor that fails, not a hiccup
+NO_DATA_REVOLUTIONS = 200  # some minutes at usual speeds: a sensor that fails, not a hiccup
 RATE_BINS = 50
 """The wear rate is the slope through the means of so many equal parts of the window."""
 
 LEAST_BINS = 3
-"""A slope through fewer means has no scatter to be seen."""
+"""The scatter of a slope through fewer means cannot be seen."""
 
 FILLED_SHARE = 0.8
 """Of the window, from its first to its last mean: a slope over less is not that of the window."""
 
 MOST_UNJUDGED = 1024
-"""Revolutions whose prediction is awaited; a twin so far behind is told of elsewhere."""
+"""Revolutions whose prediction is awaited; a twin so far behind is reported elsewhere."""
 
 HISTORY_COLUMNS = ("revolution", "speed", "quality")
-"""What a criterion needs to know of the rows of an earlier segment."""
+"""Columns that a criterion needs of the rows of an earlier segment."""
 
 DEPTH_COLUMNS = ("revolution", "measured_wear_depth")
-"""What a criterion needs to know of the predictions of an earlier segment."""
+"""Columns that a criterion needs of the predictions of an earlier segment."""
 
 NOTHING = np.empty((2, 0))
 
 
 @dataclass(frozen=True, slots=True)
 class CriterionMet:
-    """Say that a criterion is met. planned: an end as planned (complete), else a limit."""
+    """A criterion that is met. planned: an end as planned (complete), else a limit."""
 
     name: str
     sentence: str
@@ -73,12 +73,12 @@ class _Rate:
     def add(self, number: int, depth_um: float) -> float | None:
         """Add a revolution; return the rate (um per 1000 revolutions) when a new one is known."""
         result = None
-        place = number // self._width
-        if place != self._bin:
+        bin_index = number // self._width
+        if bin_index != self._bin:
             if self._sum[0] > 0:
                 self._bins.append((self._sum[1] / self._sum[0], self._sum[2] / self._sum[0]))
                 result = self._slope(number)
-            self._bin, self._sum = place, np.zeros(3)
+            self._bin, self._sum = bin_index, np.zeros(3)
         self._sum += (1.0, number, depth_um)
         return result
 
@@ -100,7 +100,7 @@ class _Watched:
     def __init__(self, criterion: Criterion, level: float, stop: StopSection) -> None:
         self.criterion = criterion
         self.rate: _Rate | None = None
-        self.patience = BLIND_REVOLUTIONS
+        self.patience = NO_DATA_REVOLUTIONS
         self._level = level
         self._needed = self._number = getattr(stop, criterion.count) if criterion.count else 1
         if criterion.window:
@@ -112,7 +112,7 @@ class _Watched:
         self.left_percent = math.nan
 
     def look(self, number: int, at: At) -> CriterionMet | None:
-        """Judge a revolution's value; what is not known neither fulfils nor interrupts."""
+        """Judge a revolution's value; an unknown one neither fulfils nor interrupts."""
         criterion = self.criterion
         value: float | None = criterion.value(at)
         # One that is infinite far from the level is known: nothing wears, so nothing ends it.
@@ -148,15 +148,13 @@ class StopMonitor:
         self.running_h = 0.0
         self._not_evaluated: deque[int] = deque(maxlen=MOST_UNJUDGED)
         watched = [_Watched(CRITERIA[key], level, stop) for key, level in levels(stop).items()]
-        self._seen = {
-            sight: [one for one in watched if one.criterion.sight is sight] for sight in Sight
-        }
+        self._seen = {sight: [w for w in watched if w.criterion.sight is sight] for sight in Sight}
         self._evaluated = self._seen[Sight.ROW] + self._seen[Sight.PREDICTION]
-        self._rates = [one.rate for one in watched if one.rate is not None]
+        self._rates = [w.rate for w in watched if w.rate is not None]
 
     @property
     def any(self) -> bool:
-        """Tell whether anything beside the number of revolutions ends the test."""
+        """Return whether anything beside the number of revolutions ends the test."""
         return any(self._seen.values())
 
     def recent(self, last: int) -> int:
@@ -164,7 +162,7 @@ class StopMonitor:
         return last - 2 * self._stop.wear_rate_window_revolutions
 
     def remember(self, rows: Iterable[Array], last: int, depths: Array = NOTHING) -> None:
-        """Take up an earlier segment: its rows, (len(HISTORY_COLUMNS), n) each, in order.
+        """Add an earlier segment: its rows, (len(HISTORY_COLUMNS), n) each, in order.
 
         last: number of the last of them; depths: (len(DEPTH_COLUMNS), n), mm. What must come in a
         row begins afresh.
@@ -180,10 +178,10 @@ class StopMonitor:
                 self._last = int(number[-1])
             unsteady = (quality.astype(np.int64) & NOT_STEADY) != 0
             left_out.update(number[unsteady & (number > recent)].astype(int))
-        for one, depth in depths[:, (depths[0] > recent) & (depths[0] <= last)].T.tolist():
-            if int(one) not in left_out and math.isfinite(depth):
+        for revolution, depth in depths[:, (depths[0] > recent) & (depths[0] <= last)].T.tolist():
+            if int(revolution) not in left_out and math.isfinite(depth):
                 for rate in self._rates:
-                    rate.add(int(one), 1e3 * depth)
+                    rate.add(int(revolution), 1e3 * depth)
 
     def row(self, row: Array) -> CriterionMet | None:
         """Judge a row in the order of ``ChannelTable.names``; return the criterion that it met."""
@@ -199,12 +197,12 @@ class StopMonitor:
         if int(at("quality")) & NOT_STEADY or number <= self._stop.hold_off_revolutions:
             self._not_evaluated.append(number)
             return None
-        for one in self._evaluated:
-            one.since_value += 1
+        for evaluated in self._evaluated:
+            evaluated.since_value += 1
         return self._first(Sight.ROW, number, at)
 
     def judges(self, number: int) -> bool:
-        """Tell whether the prediction of a revolution counts: it was whole and at the set speed."""
+        """Return whether the prediction of a revolution counts: whole and at the set speed."""
         return number not in self._not_evaluated and number > self._stop.hold_off_revolutions
 
     def prediction(self, number: int, values: Mapping[str, float]) -> CriterionMet | None:
@@ -214,17 +212,17 @@ class StopMonitor:
         return self._first(Sight.PREDICTION, number, values.__getitem__)
 
     def over(self, time_s: float) -> CriterionMet | None:
-        """Return the planned end that a test has reached at this time of its own, if any."""
+        """Return the planned end that a test has reached at this time of the test, if any."""
         clocks = {"time": time_s, "running_time": self.running_h}
         return self._first(Sight.CLOCK, self._last, clocks.__getitem__)
 
     def of_depth(self) -> list[str]:
         """Return the criteria that are set and follow from the measured wear depth."""
-        return [one.criterion.key for one in self._evaluated if one.criterion.of_depth]
+        return [w.criterion.key for w in self._evaluated if w.criterion.of_depth]
 
     def no_data(self) -> list[str]:
         """Return the criteria that have had no value for too long."""
-        return [one.criterion.key for one in self._evaluated if one.since_value >= one.patience]
+        return [w.criterion.key for w in self._evaluated if w.since_value >= w.patience]
 
     def nearest(self) -> tuple[float, str]:
         """Return how far before the nearest criterion it is, in percent of it, and its title.
@@ -232,17 +230,17 @@ class StopMonitor:
         Infinite and unnamed while nothing is known of any.
         """
         known = [
-            (one.left_percent, one.criterion.title)
+            (watched.left_percent, watched.criterion.title)
             for seen in self._seen.values()
-            for one in seen
-            if math.isfinite(one.left_percent)
+            for watched in seen
+            if math.isfinite(watched.left_percent)
         ]
         return min(known, default=(math.inf, ""))
 
     def _first(self, sight: Sight, number: int, at: At) -> CriterionMet | None:
         result: CriterionMet | None = None
-        for one in self._seen[sight]:
-            met = one.look(number, at)
+        for watched in self._seen[sight]:
+            met = watched.look(number, at)
             result = result or met
         return result
 

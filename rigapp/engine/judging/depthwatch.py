@@ -23,17 +23,17 @@ STAYS = 3
 """Revolutions in a row until a depth counts as another one: one may be a chip or a knock."""
 
 MODEL_FACTOR = 10.0
-"""A joint may wear so many times faster than the model says, which knows its coefficient badly."""
+"""A joint may wear so many times faster than the model says: its coefficient is uncertain."""
 
-DEPTH_COLUMNS = tuple(sorted({name for one in CRITERIA.values() for name in one.of_depth}))
-"""What a prediction tells that follows from the measured depth."""
+DEPTH_COLUMNS = tuple(sorted({name for rule in CRITERIA.values() for name in rule.of_depth}))
+"""Columns of a prediction that follow from the measured depth."""
 
 
 @dataclass(frozen=True, slots=True)
 class KnownDepth:
     """A depth that was believed, with its expanded uncertainty (k = 2), um.
 
-    model: what the model had worn by the measured forces then, um; when: in words.
+    model: wear by the model under the measured forces then, um; when: in words.
     """
 
     depth: float
@@ -43,7 +43,7 @@ class KnownDepth:
 
 
 class DepthWatch:
-    """Look at the measured depth of every judged revolution of a test.
+    """Check the measured depth of every judged revolution of a test.
 
     last: the specimen's last known depth, None for a new one. remark: why the depth is not to be
     believed, in a sentence, empty while it is.
@@ -59,7 +59,7 @@ class DepthWatch:
 
     @property
     def doubtful(self) -> bool:
-        """Tell whether the newest depth is to judge nothing."""
+        """Return whether the newest depth is not to be judged by."""
         return bool(self.remark or self._in_a_row or self._negative)
 
     def look(self, number: int, values: Mapping[str, float]) -> Iterator[Cause]:
@@ -94,10 +94,10 @@ class DepthWatch:
         grown = max(grown, 0.0) if math.isfinite(grown) else 0.0
         change, doubt = now.depth - last.depth, math.hypot(now.uncertainty, last.uncertainty)
         if not -doubt <= change <= doubt + MODEL_FACTOR * grown:
-            return _told(last, now, doubt, jumped=True)
+            return _depth_alarm(last, now, doubt, jumped=True)
         doubt = math.hypot(now.uncertainty, deepest.uncertainty)
         if now.depth < deepest.depth - doubt:
-            return _told(deepest, now, doubt, jumped=False)
+            return _depth_alarm(deepest, now, doubt, jumped=False)
         return None
 
     def _add(self, now: KnownDepth) -> None:
@@ -107,14 +107,14 @@ class DepthWatch:
         self._count += 1
         if self._count < BIN and self._last is not None:
             return
-        depth, doubt = (one / self._count for one in self._sum)
+        depth, doubt = (total / self._count for total in self._sum)
         self._last = KnownDepth(depth, doubt, now.model, now.when)
         if self._deepest is None or depth > self._deepest.depth:
             self._deepest = self._last
         self._sum, self._count = [0.0, 0.0], 0
 
 
-def _told(before: KnownDepth, now: KnownDepth, doubt: float, *, jumped: bool) -> Cause:
+def _depth_alarm(before: KnownDepth, now: KnownDepth, doubt: float, *, jumped: bool) -> Cause:
     return make_alarm(
         "wear_jumped" if jumped else "wear_fell",
         when=before.when,

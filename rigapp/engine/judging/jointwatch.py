@@ -1,4 +1,4 @@
-"""What the twin's answers tell of the joint that is worth a warning, whatever the test file limits.
+"""Warnings about the joint that follow from the twin's answers, whatever the test file limits.
 
 The pairing of materials leaves the range that was given for it; the joint wears otherwise than
 before. Nothing here ends a test.
@@ -20,7 +20,7 @@ to it takes minutes, and one revolution's maximum is a sample with its noise."""
 
 
 class JointWatch:
-    """Look at every prediction of a test; see ``look``."""
+    """Check every prediction of a test; see ``look``."""
 
     def __init__(self, pairing: PairingSection | None = None) -> None:
         self._pairing = pairing or PairingSection()
@@ -34,14 +34,14 @@ class JointWatch:
         values: the columns of a prediction by name.
         """
         beyond = self._beyond(values)
-        # What is not known does not say that the pairing is back.
-        known = bool(beyond) or all(math.isfinite(one) for one in self._with_level(values))
+        # An unknown value does not show that the pairing is back.
+        known = bool(beyond) or all(math.isfinite(value) for value in self._with_level(values))
         self._in_a_row = self._in_a_row + 1 if known and bool(beyond) != self._left else 0
         if self._in_a_row >= STAYS:
             self._in_a_row, self._left = 0, bool(beyond)
             yield make_alarm("pairing_left", sentence=beyond) if beyond else "pairing_left"
         since = values["wear_departure_revolution"]
-        # One of an earlier test of the specimen was told then.
+        # One of an earlier test of the specimen was reported then.
         if since > 0.0 and since != self._told:
             self._told = since
             how = say("faster") if values["wear_consistency"] > 0.0 else say("more slowly")
@@ -54,7 +54,7 @@ class JointWatch:
                 yield values[f"{stem_of(key).rpartition('_')[0]}_max"]
 
     def _beyond(self, values: Mapping[str, float]) -> str:
-        """Say which level of the pairing is passed, nothing when none."""
+        """Return which level of the pairing is passed, empty for none."""
         for key in self._pairing.__struct_fields__:
             level = getattr(self._pairing, key)
             quantity, _, side = stem_of(key).rpartition("_")

@@ -21,7 +21,7 @@ from rigapp.texts import joined, say
 
 @dataclass(frozen=True, slots=True)
 class LevelPassed:
-    """Say that a level was passed (``active``) or that the value came back."""
+    """A level that was passed (``active``), or whose value came back."""
 
     cause: Cause
     active: bool
@@ -46,7 +46,7 @@ class _Watch:
     since_s: float | None = None
 
     def known(self, value: float | None) -> TypeGuard[float]:
-        """Tell whether a value can be judged: a number, or one that is infinitely far beyond."""
+        """Return whether a value can be judged: a number, or one that is infinitely far beyond."""
         return value is not None and (
             math.isfinite(value) or value == (math.inf if self.above else -math.inf)
         )
@@ -54,7 +54,7 @@ class _Watch:
     def without_value_s(self, values: Mapping[str, float]) -> float | None:
         """Return for how long there was no value, s; None while there is a whole one.
 
-        The mean of a revolution tells that one of its samples was no number.
+        The mean of a revolution is NaN when one of its samples was.
         """
         value = values[self.quantity]
         mean = values.get(f"{self.quantity.rpartition('_')[0]}_mean", 0.0)
@@ -73,7 +73,7 @@ class _Watch:
         return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
 
     def look_for_value(self, age_s: float | None) -> LevelPassed | None:
-        """Return what changed in whether there is a value to judge.
+        """Return the change where a value to judge is missing or back.
 
         age_s: of a value that is missing; None while there is one.
         """
@@ -87,11 +87,11 @@ class _Watch:
         return LevelPassed(cause, missing, self.action)
 
     def judges(self, step: int) -> bool:
-        """Tell whether it is judged in a step of the test."""
+        """Return whether it is judged in a step of the test."""
         return not self.steps or step in self.steps
 
     def leave(self) -> bool | None:
-        """Forget what was seen before another step; False when the level was passed then."""
+        """Forget the values before another step; False when the level was passed then."""
         passed, self.active, self.beyond = self.active, False, 0
         return False if passed else None
 
@@ -149,7 +149,7 @@ class RuleMonitor:
     def replace(self, rules: Iterable[LimitRule]) -> None:
         """Judge by other rules from the next revolution on; raise UnusableInput.
 
-        What a level has seen so far stays with it.
+        A level keeps its count of revolutions.
         """
         rules = tuple(rules)
         check_rules(rules, self._table)
@@ -166,7 +166,7 @@ class RuleMonitor:
         """Return what changed with these values; quantities that are not among them are skipped.
 
         One without a value, or whose samples are no numbers, for longer than a slow value may be
-        old is a change too: its limit guards nothing then.
+        old is a change too: its limit then protects nothing.
         step: of the test, in which they were measured. What a level of another step has found is
         over.
         """
@@ -175,7 +175,7 @@ class RuleMonitor:
             value = values.get(watch.quantity)
             if value is None:
                 continue
-            # What the twin tells comes without the time, and is not known before it has learnt.
+            # The twin's values come without the time, and are not known at once.
             if "time" in values and watch.judges(step):
                 missing = watch.look_for_value(watch.without_value_s(values))
                 if missing is not None:
@@ -212,11 +212,11 @@ def least_margin(
     return min(
         monitor.worst_margin(values, step),
         *(
-            margin_to(getattr(limits, name), abs(values[one.columns[0]]), one.alarm)
-            for name, one in ALWAYS.items()
-            if one.columns
+            margin_to(getattr(limits, name), abs(values[limit.columns[0]]), limit.alarm)
+            for name, limit in ALWAYS.items()
+            if limit.columns
         ),
-        key=lambda one: math.inf if math.isnan(one[0]) else one[0],
+        key=lambda margin: math.inf if math.isnan(margin[0]) else margin[0],
     )
 
 
@@ -231,8 +231,8 @@ def changed_limits(
     """Return the former value and the limits with one changed; raise UnusableInput."""
     quantity, _, level = name.partition(".")
     places = [
-        place
-        for place, rule in enumerate(limits.rule)
+        index
+        for index, rule in enumerate(limits.rule)
         if rule.quantity == quantity and level in BOUNDS and getattr(rule, level) is not None
     ]
     if name not in ALWAYS and not places:
@@ -250,8 +250,8 @@ def changed_limits(
         raise UnusableInput(wrong)
     if name in ALWAYS:
         return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
-    place = places[0]
-    rule = limits.rule[place]
+    index = places[0]
+    rule = limits.rule[index]
     changed = msgspec.structs.replace(rule, **{level: value})
-    rules = (*limits.rule[:place], changed, *limits.rule[place + 1 :])
+    rules = (*limits.rule[:index], changed, *limits.rule[index + 1 :])
     return getattr(rule, level), msgspec.structs.replace(limits, rule=rules)

@@ -4,7 +4,7 @@ Which revolutions count. The first row is the first revolution that begins at an
 start command; the ramp is part of the test, its revolutions carry the flag RAMP. Every revolution
 the crank makes from then on counts, whatever its quality, up to the planned number; a revolution
 lost in a gap of the data counts too and leaves a gap in the numbers. A pause does not end a
-revolution: its row carries the flag PAUSED, and the samples of the stand are left out.
+revolution: its row carries the flag PAUSED, and the samples of the standstill are left out.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Row:
-    """A finished row with the revolution behind it; named: its values by column."""
+    """A finished row with its revolution; named: its values by column."""
 
     number: int
     values: Array
@@ -47,7 +47,7 @@ class TestRun:
     first: number of the first revolution to record. planned: number of the last. time_offset_s:
     the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
     stops: the criteria that end the test before. slow: the columns of the slow channels at a host
-    time. joint, depth: what the twin's answers are watched for. step: number of the step of a
+    time. joint, depth: the checks of the twin's answers. step: number of the step of a
     revolution.
     """
 
@@ -90,7 +90,7 @@ class TestRun:
         self._ended_ns: int | None = None
 
     def begin(self, sample: int) -> None:
-        """Take note of the device sample at which the test's time starts."""
+        """Set the device sample at which the test's time starts."""
         self.start_sample = sample
 
     def take(self, revolution: Revolution, steady: bool) -> Row | None:
@@ -115,17 +115,17 @@ class TestRun:
             flags |= Flag.GAP_BEFORE
             self._resumed = False
         elapsed = (revolution.end_sample - self.start_sample) / revolution.sample_rate_Hz
-        place = self.calibration.table.place
-        row[place["revolution"]] = number
-        row[place["time"]] = elapsed + self.time_offset_s
-        row[place["host_time"]] = self._utc(
+        index = self.calibration.table.place
+        row[index["revolution"]] = number
+        row[index["time"]] = elapsed + self.time_offset_s
+        row[index["host_time"]] = self._utc(
             revolution.host_time_ns, revolution.later_samples / revolution.sample_rate_Hz
         )
-        row[place["quality"]] = int(flags)
+        row[index["quality"]] = int(flags)
         ended_ns = revolution.host_time_ns
         for name, value in self._slow(ended_ns, self._lasted_s(row, ended_ns)).items():
-            row[place[name]] = value
-        named = dict(zip(place, row.tolist(), strict=True))
+            row[index[name]] = value
+        named = dict(zip(index, row.tolist(), strict=True))
         steady = not flags & NOT_STEADY
         verdicts = tuple(self.monitor.judge(named, self.step(number))) if steady else ()
         self.number = number

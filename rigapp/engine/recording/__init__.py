@@ -1,1 +1,1 @@
-"""Keep a test: what the file shall hold, which cycles, and the thread that stores."""
+"""Record a test: the plan of its file, the cycles that are kept, and the writing."""

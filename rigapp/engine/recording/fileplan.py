@@ -1,4 +1,4 @@
-"""What the file of a test will hold, and so the room that it needs: one answer for everybody."""
+"""The plan of a test's file, and the disk space that follows from it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SLOWER = 1.05
 """A revolution may have so many times the samples of one at the set speed."""
 
 STAND_S = 3.0
-"""Time of the stand after it that an unfinished revolution may hold, and somewhat more."""
+"""Time of standstill that an unfinished revolution may hold, and somewhat more."""
 
 UNFINISHED = 2
 """Unfinished revolutions for which room is reserved."""
@@ -36,13 +36,13 @@ def file_plan(
     """Return the plan of a test's file. table: the channels of the rig.
 
     samples_per_revolution: of a device that the encoder clocks; None: the rate and the lowest
-    set speed tell.
+    set speed give the number.
     """
     revolutions = test.run.revolutions
     if samples_per_revolution is None:
         samples_per_revolution = 60.0 / Sequence(test.run).slowest_rpm * sample_rate_Hz
     samples = max(1, math.ceil(SLOWER * samples_per_revolution))
-    # A revolution that is cut off holds the ramp, of half the set speed, and some of the stand.
+    # A revolution that is cut off holds the ramp, of half the set speed, and some standstill.
     cut_off = 2 * samples + math.ceil(STAND_S * sample_rate_Hz)
     scheduled = Schedule(test.cycles, revolutions).planned()
     return FilePlan(

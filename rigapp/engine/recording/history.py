@@ -1,7 +1,7 @@
 """Which whole cycles are kept: those of the schedule, and those around a trigger.
 
 A trigger is an alarm that rises, a limit that is passed, or an operator's note. The last
-revolutions stay in memory until it is sure that no trigger wants them; what is wanted leaves in the
+revolutions stay in memory until no trigger can want them any more; wanted ones leave in the
 order of the revolutions, none twice. As soon as the oldest one is wanted, it leaves at once: after
 a trigger nothing waits.
 
@@ -20,12 +20,12 @@ from typing import TYPE_CHECKING
 
 from rigapp.config.recipe import CyclesSection
 
-if TYPE_CHECKING:  # the window asks for the room of a file, and shall not load the kernels for it
+if TYPE_CHECKING:  # the window computes the size of a file, and must not load the kernels for it
     from rigapp.engine.values.calibrate import Measured
 
 
 class Schedule:
-    """Tell whether the whole cycle of a revolution is kept; the last one of a test always is."""
+    """The revolutions whose whole cycle is kept; the last one of a test always is."""
 
     def __init__(self, section: CyclesSection, revolutions: int) -> None:
         self._section = section
@@ -35,7 +35,7 @@ class Schedule:
             self._wanted = logarithmic(revolutions, section.per_decade)
 
     def keeps(self, revolution: int) -> bool:
-        """Tell whether revolution number ``revolution`` (the first is 1) is kept whole."""
+        """Return whether revolution number ``revolution`` (the first is 1) is kept whole."""
         section = self._section
         if section.schedule == "none":
             return False
@@ -47,7 +47,7 @@ class Schedule:
 
     @property
     def any(self) -> bool:
-        """Tell whether any cycle is kept."""
+        """Return whether any cycle is kept."""
         return self._section.schedule != "none"
 
     def planned(self) -> int:
@@ -55,8 +55,8 @@ class Schedule:
         if self._section.schedule == "none":
             return 0
         if self._section.schedule == "every":
-            whole, rest = divmod(self._last, self._section.every_revolutions)
-            return whole + (1 if rest else 0)
+            full, rest = divmod(self._last, self._section.every_revolutions)
+            return full + (1 if rest else 0)
         return len(self._wanted | {self._last})
 
 
@@ -73,7 +73,7 @@ def logarithmic(revolutions: int, per_decade: int) -> frozenset[int]:
 
 
 RING_BYTES = 64 << 20
-"""Memory for revolutions that may still be wanted."""
+"""Memory for revolutions that a trigger may still want."""
 
 FEWEST_BURSTS, MOST_BURSTS = 10, 100
 REVOLUTIONS_A_BURST = 2000
@@ -84,7 +84,7 @@ CRITICAL_BURSTS = 3
 
 
 class RetentionReason(enum.StrEnum):
-    """Say why a whole cycle is in the file; the words stand in ``/entry/cycles/why``."""
+    """The reason why a whole cycle is in the file, as written in ``/entry/cycles/why``."""
 
     SCHEDULED = "scheduled"
     LAST = "last"
@@ -119,7 +119,7 @@ def _burst(section: CyclesSection) -> int:
 
 @dataclass(slots=True, eq=False)
 class RetainedCycle:
-    """A revolution in memory; why it is kept, None while nothing wants it."""
+    """A revolution in memory; why: the reason to keep it, None without one."""
 
     number: int
     measured: Measured
@@ -129,8 +129,8 @@ class RetainedCycle:
     @property
     def size(self) -> int:
         """Return the bytes that it takes."""
-        one = self.measured.revolution
-        return one.values.nbytes + one.counts.nbytes + one.segments.nbytes
+        revolution = self.measured.revolution
+        return revolution.values.nbytes + revolution.counts.nbytes + revolution.segments.nbytes
 
 
 class History:
@@ -169,12 +169,12 @@ class History:
         return self._bytes
 
     def trigger(self, critical: bool = False) -> bool:
-        """Want the next revolution and those around it; False when there is no room for them."""
+        """Keep the next revolution and those around it; False when the file has no space left."""
         if self._burst == 0:
             return False
         if self._due:
             return True
-        undecided = sum(one.why is None for one in self._ring)
+        undecided = sum(cycle.why is None for cycle in self._ring)
         kept_back = 0 if critical else min(CRITICAL_BURSTS * self._burst, self._room // 2)
         if self._used + undecided + 1 + self._after > self._room - kept_back:
             self.refused += 1
@@ -204,14 +204,14 @@ class History:
         return leaving
 
     def waiting(self) -> RetainedCycle | None:
-        """Return the newest revolution where it may still be wanted, None once it has left."""
+        """Return the newest revolution while a trigger may want it, None once it has left."""
         newest = self._newest
         if newest is None or (self._newest_left and newest.why is not None):
             return None
         return newest if self._burst or self._schedule.any else None
 
     def close(self) -> list[RetainedCycle]:
-        """End the test: return what else is to be written, the last revolution among it."""
+        """End the test and return the rest to write, the last revolution among it."""
         if self._due:
             self._mark_before()
         newest = self._newest
@@ -219,7 +219,7 @@ class History:
             newest.why = RetentionReason.LAST
             if self._newest_left:
                 self._ring.append(newest)
-        leaving = [one for one in self._ring if one.why is not None]
+        leaving = [cycle for cycle in self._ring if cycle.why is not None]
         self._ring.clear()
         self._bytes = 0
         if newest is not None:
@@ -228,9 +228,9 @@ class History:
 
     def _mark_before(self) -> None:
         self._due = False
-        for one in self._ring:
-            if one.why is None:
-                one.why = RetentionReason.BEFORE
+        for cycle in self._ring:
+            if cycle.why is None:
+                cycle.why = RetentionReason.BEFORE
                 self._used += 1
 
     def _leave(self) -> Iterator[RetainedCycle]:
@@ -240,9 +240,9 @@ class History:
             if ring[0].why is None and len(ring) <= self._before and not full:
                 return
             self.shortened += full and ring[0].why is None and len(ring) <= self._before
-            one = ring.popleft()
-            self._bytes -= one.size
-            self.decided = one.number
-            self._newest_left |= one is self._newest
-            if one.why is not None:
-                yield one
+            cycle = ring.popleft()
+            self._bytes -= cycle.size
+            self.decided = cycle.number
+            self._newest_left |= cycle is self._newest
+            if cycle.why is not None:
+                yield cycle

@@ -67,11 +67,11 @@ def cycle_message(number: int, measured: Measured) -> Cycle:
 
 
 HOLD_EVERY_S = 0.05
-"""A cycle that nothing wants yet goes into the file so often at most: each one up to 1,200 rpm. It
+"""A cycle without a trigger is held in the file so often at most: each one up to 1,200 rpm. It
 takes half of what a revolution costs, and a simulated rig may make a thousand a second."""
 
 CURVES_WAITING = 256
-"""Predictions that wait for their cycle: a twin that lags more has lost its place anyway."""
+"""Predictions that wait for their cycle."""
 
 
 class CurvesBeside:
@@ -93,7 +93,7 @@ class CurvesBeside:
         return self._chosen()
 
     def kept(self, numbers: Iterable[int], decided: int) -> Iterator[Prediction]:
-        """Take the cycles that are kept; nothing up to revolution ``decided`` will be any more."""
+        """Take the cycles that are kept; no further one up to revolution ``decided`` will be."""
         self._kept.extend(numbers)
         self._decided = decided
         return self._chosen()
@@ -112,7 +112,7 @@ class CurvesBeside:
 class Recorder:
     """Write one test; rows from the processing thread, the rest from any.
 
-    first: number of the first revolution to come. unfinished: tells what there is of the revolution
+    first: number of the first revolution to come. unfinished: returns the samples of the revolution
     under way. table: the channels that the file keeps, None for those of the rig. After ``close``
     nothing is written any more, and nothing fails.
     """
@@ -132,9 +132,9 @@ class Recorder:
         self._curves = CurvesBeside()
         self._calibration = calibration
         self._table = table if table is not None else calibration.table
-        place = calibration.table.place
-        kept = [place[name] for name in self._table.names]
-        self._kept = None if kept == list(range(len(place))) else kept
+        index = calibration.table.place
+        kept = [index[name] for name in self._table.names]
+        self._kept = None if kept == list(range(len(index))) else kept
         self._start_sample: int | None = None
         self._time_offset_s = time_offset_s
         self._first = first
@@ -148,7 +148,7 @@ class Recorder:
         self.committed = 0
 
     def begin(self, sample: int) -> None:
-        """Take note of the device sample at which the test's time starts."""
+        """Set the device sample at which the test's time starts."""
         self._start_sample = sample
 
     @property
@@ -158,12 +158,12 @@ class Recorder:
 
     @property
     def cycles_refused(self) -> int:
-        """Return the whole cycles that had no room."""
+        """Return the number of whole cycles that had no space."""
         return self._store.cycles_refused
 
     @property
     def triggers_refused(self) -> int:
-        """Return the alarms, limits and notes whose whole cycles had no room."""
+        """Return the number of alarms, limits and notes whose whole cycles had no space."""
         return self._history.refused
 
     def row(self, number: int, row: Array, measured: Measured) -> None:
@@ -188,7 +188,7 @@ class Recorder:
         self._store.hold_cycle(number, self._samples(measured), waiting.why or "", quality)
 
     def trigger(self, critical: bool) -> None:
-        """Keep the next whole cycle and those around it: something has happened."""
+        """Keep the next whole cycle and those around it."""
         with self._lock:
             if not self._closed:
                 self._history.trigger(critical)
@@ -245,7 +245,7 @@ class Recorder:
     def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
         """Give the file its name back when it was deleted, moved or replaced; may take long.
 
-        notice: told before that.
+        notice: called before that.
         """
         return None if self._closed else self._store.watch_path(notice)
 
@@ -258,7 +258,7 @@ class Recorder:
     def finish(
         self, status: str, reason_code: str, sentence: str, *, keep_empty: bool = True
     ) -> bool:
-        """Keep what still waits and the revolution cut off, say how the test ended, and close.
+        """Write what still waits and the revolution cut off, record how the test ended, and close.
 
         keep_empty: False deletes a file without a whole revolution. Return whether it is kept.
         """
@@ -298,11 +298,11 @@ class Recorder:
 
     def _keep(self, leaving: Iterable[RetainedCycle]) -> None:
         numbers: list[int] = []
-        for one in leaving:
-            assert one.why is not None
-            columns = self._samples(one.measured)
-            if self._store.append_cycle(one.number, columns, one.why.value, one.quality):
-                numbers.append(one.number)
+        for cycle in leaving:
+            assert cycle.why is not None
+            columns = self._samples(cycle.measured)
+            if self._store.append_cycle(cycle.number, columns, cycle.why.value, cycle.quality):
+                numbers.append(cycle.number)
         self._write_curves(self._curves.kept(numbers, self._history.decided))
 
     def _write_curves(self, predictions: Iterable[Prediction]) -> None:

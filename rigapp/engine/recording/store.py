@@ -1,4 +1,4 @@
-"""What the engine wants of a test file, and how it gets one."""
+"""The interface of a test file, and how the engine opens one."""
 
 from __future__ import annotations
 
@@ -46,21 +46,21 @@ class Store(Protocol):
 
     @property
     def path(self) -> Path:
-        """Return where the file is; another place when it had to be saved there."""
+        """Return where the file is; another path when it had to be saved there."""
 
     def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
         """Give the file its name back when it lost it; None when it has not.
 
-        It may take long; notice is told before.
+        It may take long; notice is called before.
         """
 
     @property
     def revolutions(self) -> int:
-        """Return the rows appended."""
+        """Return the number of rows appended."""
 
     @property
     def cycles_refused(self) -> int:
-        """Return the whole cycles that had no room."""
+        """Return the number of whole cycles that had no space."""
 
     def append_row(self, values: NDArray[np.float64]) -> None:
         """Append a row, in the order of the plan's columns."""
@@ -108,13 +108,13 @@ class Store(Protocol):
         """Make everything safe and return the number of safe rows."""
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
-        """Commit, and say how the test ended: complete, stopped or fault."""
+        """Commit, and record how the test ended: complete, stopped or fault."""
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file."""
 
     def discard(self) -> None:
-        """Let go of a file in which nothing is recorded, and delete it."""
+        """Close a file in which nothing is recorded, and delete it."""
 
 
 HISTORY_ROWS = 100_000
@@ -147,7 +147,7 @@ class Opened:
 class OpenRequest:
     """Everything that goes into a new file before its first row.
 
-    rest: the signals at rest. worn: how far the specimen is worn, None for a new one.
+    rest: the signals at rest. worn: wear of the specimen, None for a new one.
     """
 
     path: Path
@@ -210,9 +210,9 @@ def _resume(request: OpenRequest) -> Opened:
     try:
         with open_test(request.path) as reader:
             table = reader.plan.table
-            gone = missing_channels(table, request.calibration.table)
-            if gone:
-                raise UnusableInput("{}: {}", request.path, gone)
+            missing = missing_channels(table, request.calibration.table)
+            if missing:
+                raise UnusableInput("{}: {}", request.path, missing)
             rows = store.revolutions
             if rows == 0:
                 return Opened(store, table=table)
@@ -233,18 +233,18 @@ def _resume(request: OpenRequest) -> Opened:
 
 
 def missing_channels(kept: ChannelTable, measured: ChannelTable) -> str:
-    """Return why a rig cannot go on with a file, by what each keeps and measures; empty: it can."""
-    gone = [
+    """Return why a rig cannot resume a file, by the channels of both; empty where it can."""
+    missing = [
         channel.name
         for channel in kept.channels
         if channel.name not in measured
         or not set(channel.columns) <= set(measured[channel.name].columns)
     ]
-    if not gone:
+    if not missing:
         return ""
     return (
-        f"the file keeps {', '.join(gone)}, which this rig does not measure so; put"
-        f" [channels.{gone[0]}] of the test's rig file back, or begin a new test"
+        f"the file keeps {', '.join(missing)}, which this rig does not measure so; put"
+        f" [channels.{missing[0]}] of the test's rig file back, or begin a new test"
     )
 
 
@@ -320,7 +320,7 @@ def calibration_record(calibration: Calibration) -> dict[str, Any]:
 
 
 def _latency_ms(calibration: Calibration, instrument: str) -> list[float]:
-    return (calibration.latency_s[calibration.place(instrument)] * 1e3).tolist()
+    return (calibration.latency_s[calibration.inputs_of(instrument)] * 1e3).tolist()
 
 
 def _line_record(line: InputLine) -> dict[str, Any]:
@@ -330,7 +330,7 @@ def _line_record(line: InputLine) -> dict[str, Any]:
 
 
 def _uncertainty(request: OpenRequest) -> dict[str, Any]:
-    """Return what the file says of the uncertainty of its forces."""
+    """Return what the file states of the uncertainty of its forces."""
     cell = request.rig.record.load_cell
     stated = stated_uncertainty(request.records.get("load_cell", ""), cell.uncertainty_N)
     noise = request.rest.noise if request.rest is not None else None
@@ -357,9 +357,9 @@ def detector_record(
     sample_rate_Hz: float,
     devices: Mapping[str, Mapping[str, str | float | int]] = MappingProxyType({}),
 ) -> dict[str, Mapping[str, Any]]:
-    """Return what measures, as nested plain values, units in the keys; rate: of the device.
+    """Return the detectors as nested plain values, units in the keys; rate: of the device.
 
-    devices: what was read back from each, with what it said of itself.
+    devices: what was read back from each, with its identity.
     """
     table, cell, encoder = channel_table(rig), rig.load_cell, rig.encoder
     own = {
@@ -368,15 +368,15 @@ def detector_record(
     }
     result: dict[str, Mapping[str, Any]] = {}
     for name, (kind, sentence) in INSTRUMENTS.items():
-        wired = [table[one] for one in table.names_of(name)]
+        wired = [table[channel] for channel in table.names_of(name)]
         result[name] = {
             "description": sentence,
             "type": kind,
             "channels": [curve.name for curve in table.curves if curve.instrument == name],
-            "local_name": [one.input for one in wired],
+            "local_name": [wire.input for wire in wired],
             **_device(rig, wired[0].device, sample_rate_Hz, devices),
             **own[name],
-            "latency_ms": [1e3 * one.latency_s for one in wired],
+            "latency_ms": [1e3 * wire.latency_s for wire in wired],
             "calibration": f"{CALIBRATION}/{name}",
         }
     result["encoder"] = {
@@ -407,7 +407,7 @@ def detector_record(
 
 
 SAID = "device_"
-"""Before the names of what a device says of itself, beside its settings (``identifying``)."""
+"""Prefix of the keys of a device's identity, beside its settings (``identifying``)."""
 
 
 def _device(
@@ -416,7 +416,7 @@ def _device(
     sample_rate_Hz: float,
     devices: Mapping[str, Mapping[str, str | float | int]],
 ) -> dict[str, Any]:
-    said = {
+    described = {
         key.removeprefix(SAID): value
         for key, value in devices.get(name, {}).items()
         if key.startswith(SAID)
@@ -424,13 +424,13 @@ def _device(
     return {
         "device": name,
         "driver": rig.devices[name].driver,
-        **said,
+        **described,
         "sample_rate_Hz": sample_rate_Hz,
     }
 
 
 def _probe_extras(probes: ProbePair) -> dict[str, Any]:
-    """Return uncertainty, alignment and run-out map of the probes, those that are in use."""
+    """Return uncertainty, alignment and run-out map of the probes, as far as they are in use."""
     extras: dict[str, Any] = {}
     if probes.uncertainty_um is not None:
         extras["uncertainty_um"] = list(probes.uncertainty_um)

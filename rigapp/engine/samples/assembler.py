@@ -1,6 +1,6 @@
 """Cut the stream of Blocks at the encoder index into revolutions.
 
-Nothing is interpolated and nothing good is dropped: a gap is a break between two segments and a
+Nothing is interpolated, and no good sample is dropped: a gap is a break between two segments and a
 flag, a missing index, a slipped count and a reversal are flags. A revolution leaves the assembler
 when a few samples beyond its end have arrived (``Margins``): the calibration needs them to shift
 the analog channels against the encoder.
@@ -52,12 +52,12 @@ _motion_in = itemgetter(
     StateAt.UNLOCKED_TURN,
     StateAt.SKIPS,
 )
-"""What ``Motion`` tells, from the state as a list: read at each block, one by one it takes 8 us."""
+"""The fields of ``Motion`` in the state, read as a list at each block: one by one takes 8 us."""
 
 
 @dataclass(frozen=True, slots=True)
 class EncoderSetup:
-    """Tell how the counter follows the crank.
+    """How the counter follows the crank.
 
     counts_per_revolution: after quadrature. direction: +1 or -1, counter against crank.
     restarts_at_index: the index pulse sets the count to zero. modulus: the counter wraps after so
@@ -80,7 +80,7 @@ class EncoderSetup:
 
 @dataclass(frozen=True, slots=True)
 class Margins:
-    """Say how many samples before and after a revolution are wanted with it."""
+    """How many samples before and after a revolution are needed with it."""
 
     before: int = 0
     after: int = 0
@@ -88,7 +88,7 @@ class Margins:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Revolution:
-    """Carry one revolution, raw.
+    """One revolution, raw.
 
     ordinal: revolutions of the crank since the first one cut, lost ones counted.
     values: (channels, before + samples + after), a view; the revolution starts at ``before``.
@@ -129,7 +129,7 @@ class Revolution:
         return int(self.counts.shape[0])
 
     def first_speed_rpm(self, counts_per_revolution: int) -> float:
-        """Return the mean speed (rpm) over the first part of it that tells one; NaN of none."""
+        """Return the mean speed (rpm) over the first part of it that has one; NaN without."""
         enough = max(ENOUGH_COUNTS, counts_per_revolution // 16)
         end = min(int(np.searchsorted(self.counts, enough)), self.samples - 1)
         if end < 1:
@@ -153,7 +153,7 @@ class Revolution:
 
 @dataclass(slots=True)
 class Motion:
-    """Show the newest motion of the crank: what interlocks and the screen look at.
+    """The newest motion of the crank, for interlocks and the screen.
 
     count: unwrapped position, corrected at every index; phase: counts from the index, 0 ..
     counts_per_revolution - 1. travel: counts turned up to the block's first and last sample, never
@@ -242,13 +242,13 @@ class Assembler:
         self.motion = Motion()
 
     def discard(self) -> None:
-        """Forget the revolution under way: the next one begins at the next index."""
+        """Drop the revolution under way: the next one begins at the next index."""
         self._state[StateAt.INSIDE] = 0
         self._begin = None
         self._waiting.clear()
 
     def flag_time_jump(self) -> None:
-        """Flag the revolution under way: device and host time have parted."""
+        """Flag the revolution under way: device and host time have drifted apart."""
         self._state[StateAt.FLAGS] |= int(Flag.TIME_JUMP)
 
     @property
@@ -278,7 +278,7 @@ class Assembler:
         position, keep, events = self._scratch[:n], self._keep[:n], self._events
         counts, quality = self._counts(block, self._counted[:n])
         kept_before = int(self._state[KEPT])
-        found = scan(
+        count = scan(
             counts,
             quality,
             block.first_sample,
@@ -294,15 +294,15 @@ class Assembler:
         self._append(block.values, position, keep, kept, ticks)
         if kept_before == 0:
             self._breaks.append((0, block.first_sample))
-        for event in events[:found]:
+        for event in events[:count]:
             self._take(event, block, n)
         self._look(position)
         return self._ready()
 
     def unfinished(self) -> Revolution | None:
-        """Return what there is of the revolution under way, flagged PARTIAL; None before any.
+        """Return the revolution under way as far as it has come, flagged PARTIAL; None before any.
 
-        The revolution goes on; call it from the thread that calls ``push``, or hold that one back.
+        The revolution goes on; call this from the thread that calls ``push``, or while that waits.
         """
         end = self._origin + self._fill
         if self._begin is None or self._begin[0] >= end:
@@ -344,7 +344,7 @@ class Assembler:
         quality = np.ascontiguousarray(block.quality, np.uint8)
         if counted(raw, self._scale, self._offset, out):
             return out, quality
-        # A count that is no number: hold the last good one and say so.
+        # A count that is no number: hold the last good one and flag it.
         signal = raw.astype(np.float64) * self._scale + self._offset
         good = np.isfinite(signal)
         held = np.maximum.accumulate(np.where(good, np.arange(signal.size), -1))
@@ -369,14 +369,14 @@ class Assembler:
         if self._ticks is not None and ticks is not None:
             inside = ticks if kept == position.size else ticks[keep.astype(bool)]
             self._ticks[self._fill : self._fill + kept] = inside
-        place = slice(self._fill, self._fill + kept)
+        target = slice(self._fill, self._fill + kept)
         if kept == position.size:
-            self._values[:, place] = values
-            self._positions[place] = position
+            self._values[:, target] = values
+            self._positions[target] = position
         else:
             mask = keep.astype(bool)
-            self._values[:, place] = values[:, mask]
-            self._positions[place] = position[mask]
+            self._values[:, target] = values[:, mask]
+            self._positions[target] = position[mask]
         self._fill += kept
 
     def _oldest_wanted(self) -> int:
@@ -501,7 +501,7 @@ def _timed(
 ) -> Revolution:
     """Return a revolution counted in ticks. inside: of its samples and of the first after it.
 
-    A long time between two pulses is a stand; what of it is beyond STANDSTILL_S is idle.
+    A long time between two pulses is a standstill; its part beyond STANDSTILL_S is idle.
     """
     if inside.size <= revolution.samples:  # nothing has come after it
         inside = np.append(inside, 2 * inside[-1] - inside[-2] if inside.size > 1 else inside[-1])

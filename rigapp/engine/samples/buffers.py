@@ -66,10 +66,10 @@ class BlockQueue:
             return self._blocks[0].host_time_ns if self._blocks else None
 
 
-MEANS_PER_SECOND = 20.0  # as fast as somebody at the bench can read
+MEANS_PER_SECOND = 20.0  # as fast as a person at the bench can read
 LONGEST_WINDOW_S = 60.0  # a longer mean is drift, not noise
 FORGOTTEN_AFTER_S = 30.0
-"""Nobody asked for so long (host time): the signals are not kept any more."""
+"""Without a request for so long (host time) the signals are not kept any more."""
 
 Array = NDArray[np.float64]
 
@@ -108,7 +108,7 @@ class RecentSignals:
 
     @property
     def forgotten(self) -> bool:
-        """Tell whether nobody has asked for a while."""
+        """Return whether there was no request for ``FORGOTTEN_AFTER_S``."""
         return time.monotonic() - self._read_s > FORGOTTEN_AFTER_S
 
     def add(self, first_sample: int, signals: Array) -> None:
@@ -119,16 +119,16 @@ class RecentSignals:
                 self._rest = np.empty((self._inputs, 0))
             self._next = first_sample + signals.shape[1]
             together = np.concatenate((self._rest, signals), axis=1)
-            whole = together.shape[1] // self._each
+            count = together.shape[1] // self._each
             start = self._next - together.shape[1]
-            parts = together[:, : whole * self._each].reshape(self._inputs, whole, self._each)
+            parts = together[:, : count * self._each].reshape(self._inputs, count, self._each)
             cut = parts.mean(axis=2)
-            for index in range(whole):
+            for index in range(count):
                 self._means.append((start + (index + 1) * self._each, cut[:, index]))
-            self._rest = together[:, whole * self._each :]
+            self._rest = together[:, count * self._each :]
 
     def read(self) -> Means:
-        """Return what is kept."""
+        """Return the means that are kept."""
         with self._lock:
             self._read_s = time.monotonic()
             kept = list(self._means)

@@ -1,4 +1,4 @@
-"""The memory of the compiled functions that follow the counter: named places in plain vectors."""
+"""The state of the compiled functions that follow the counter: named indices of plain vectors."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Floats = NDArray[np.float64]
 
 
 class StateAt(IntEnum):
-    """Places in the state vector."""
+    """Indices of the state vector."""
 
     STARTED = 0
     PREVIOUS = 1
@@ -52,7 +52,7 @@ class StateAt(IntEnum):
 
 
 class ParameterAt(IntEnum):
-    """Places in the parameter vector."""
+    """Indices of the parameter vector."""
 
     COUNTS = 0
     DIRECTION = 1
@@ -90,5 +90,5 @@ BREAK = 3
 
 
 def new_state() -> tuple[Counts, Floats]:
-    """Return the memory of a counter not seen yet: state, and its smoothed step (1,)."""
+    """Return the state of a counter without samples yet, and its smoothed step (1,)."""
     return np.zeros(int(StateAt.SIZE), np.int64), np.zeros(1, np.float64)

@@ -8,16 +8,16 @@ from collections import deque
 import msgspec
 
 STANDING_COUNTS = 2
-"""A crank whose count moves no more than this stands: an edge of the encoder may dither."""
+"""A crank whose count moves no more than this is stationary: an edge of the encoder may dither."""
 
 ENOUGH_COUNTS = 64
 """A speed from so many counts is quantised to 1.6 % at most."""
 
 BLOCKS_KEPT = 4096
-"""Of the smallest blocks, more than LONGEST_S and a stand are looked back for."""
+"""Of the smallest blocks, more than LONGEST_S and the longest time of a standstill check."""
 
 LEAST_PACE_S = 0.05
-"""The pace of a simulated rig is not told from less than a block's time."""
+"""The pace of a simulated rig does not follow from less than a block's time."""
 
 LONGEST_S = 0.4  # a slower answer is of no use to an interlock
 
@@ -68,7 +68,7 @@ class MotionWindow:
     def gap(self) -> None:
         """Forget the points before samples went missing: across a gap there is no speed.
 
-        The speed before it holds until the samples after it tell one.
+        The speed before it holds until the samples after it give one.
         """
         speed, pace = self.speed_rpm(), self.pace()
         with self._lock:
@@ -101,7 +101,7 @@ class MotionWindow:
     def speed_rpm(self, window_s: float = 0.05) -> float:
         """Return the mean speed over the last window_s of device time, one block at least.
 
-        A slow crank is looked at for longer, up to LONGEST_S, until enough counts have passed.
+        For a slow crank the window grows, up to LONGEST_S, until enough counts have passed.
         """
         with self._lock:
             if len(self._points) < 2:
@@ -120,7 +120,7 @@ class MotionWindow:
         return abs(self.speed_rpm(window_s)) / 60.0 * self._turn * samples / self._rate
 
     def standing(self, window_s: float) -> bool:
-        """Tell whether the count has stood for window_s of device time."""
+        """Return whether the count has not moved for window_s of device time."""
         with self._lock:
             if not self._points:
                 return False

@@ -1,11 +1,11 @@
 """The device time of samples that the encoder clocks: one a pulse, at no fixed times.
 
 Time comes from the device where it records the pulse rate: the time from one pulse to the next is
-one over that rate. Without it the host's clock tells it, smoothed, as blocks come with the jitter
+one over that rate. Without it the host's clock gives it, smoothed, as blocks come with the jitter
 of their transport. A rig in real time is tied to the host's clock in both cases: small deviations
-are evened out slowly, and a long silence is a stand of the crank, which lies before the first pulse
-after it. The time of a simulated rig is not the host's: it needs the pulse rate, and its stands
-take no time.
+are evened out slowly, and a long silence is a standstill of the crank, before the first pulse
+after it. The time of a simulated rig is not the host's: it needs the pulse rate, and a standstill
+takes no time.
 
 Times are whole ticks of 1 ns, so that they are kept exactly over months.
 """
@@ -26,7 +26,7 @@ LONGEST_PULSE_S = 2.0
 """Between two pulses a turning crank takes no longer, however low the rate reads."""
 
 SNAP_S = 0.25
-"""Device time that is so far behind the host's has missed a stand."""
+"""Device time that is so far behind the host's has missed a standstill."""
 
 EVEN_OUT_S = 10.0
 """A smaller deviation from the host's clock is evened out over this time ..."""
@@ -35,7 +35,7 @@ LARGEST_CHANGE = 0.005
 """... by changing the intervals by this share at most."""
 
 LEAST_SHARE = 0.05
-"""Of its own length, to which an interval is cut where device time is ahead: time never stands."""
+"""Of its own length, to which an interval is cut where device time is ahead: time never stops."""
 
 SMOOTHING_S = 0.3
 """Without a pulse rate: the interval between pulses is averaged over this time."""
@@ -43,7 +43,7 @@ SMOOTHING_S = 0.3
 
 @dataclass(frozen=True, slots=True)
 class PulseRate:
-    """Tell where a Block carries the pulse rate: rate in Hz = scale * raw + offset."""
+    """Where a Block carries the pulse rate: rate in Hz = scale * raw + offset."""
 
     row: int
     scale: float

@@ -1,8 +1,8 @@
-"""Slow channels: what a device tells now and then, as the newest value with its age.
+"""Slow channels: values that a device measures now and then, each with its age.
 
-Each slow device has a thread of its own that asks it; what the drive tells comes from the answers
+Each slow device has a thread of its own that reads it; those of the drive come from the answers
 that the engine polls anyway. Nothing here delays a revolution or ends a test: a device that is
-silent gives no value and a growing age, is warned of, and is opened again for as long as it takes.
+silent gives no value and a growing age, raises a warning, and is opened again until it answers.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rigapp_drivers.api import DeviceError, DriveStatus, Identity, SlowRequest
 from rigapp_drivers.edge import GuardedSlow
 
 PERIOD_S = 1.0
-"""A device is asked once in so long: rooms and bushings take minutes to change by what such a
+"""A device is read once in so long: rooms and bushings take minutes to change by what such a
 device resolves, and a usual line takes 0.1 s for an answer."""
 
 SILENT_S = 10.0
@@ -28,19 +28,19 @@ SILENT_S = 10.0
 are no passing disturbance of the line."""
 
 REOPEN_S, LONGEST_REOPEN_S = 5.0, 60.0
-"""Between two attempts to open a device that was lost: a port that hangs takes some of it. The
-pause doubles with each failure: a device that is gone for days is not asked 100,000 times, and one
+"""Between two attempts to open a lost device: a port that hangs takes some of it. The
+pause doubles with each failure: a device that is gone for days is not tried 100,000 times, and one
 that returns is found within a minute."""
 
 
 FIRST_S = 2.0
-"""A connection waits so long for the first answers, so that what is shown of it then is true; a
+"""A connection waits so long for the first answers, so that the first values shown are true; a
 device that is there answers within a fraction of it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One value and the host time (s, monotonic) at which it was told."""
+    """One value and the host time (s, monotonic) at which it was read."""
 
     value: float
     host_s: float
@@ -63,7 +63,7 @@ def averages(readings: Iterable[Reading], begin_s: float, end_s: float) -> dict[
     return {"mean": mean, "rms": rms, "max": max(values), "readings": count}
 
 
-def told(value: float, host_s: float, before: Reading | None) -> Reading:
+def reading_of(value: float, host_s: float, before: Reading | None) -> Reading:
     """Return the reading of an answer; one that is no number is none, and the age goes on."""
     if math.isfinite(value):
         return Reading(value, host_s)
@@ -76,9 +76,9 @@ def keep(recent: dict[str, deque[Reading]], name: str, reading: Reading) -> None
 
 
 class SlowDevice:
-    """A slow source with the thread that asks it.
+    """A slow source with the thread that reads it.
 
-    on_death: told when the thread dies of an error that no driver should raise.
+    on_death: called when the thread ends by an error that no driver should raise.
     """
 
     def __init__(
@@ -104,7 +104,7 @@ class SlowDevice:
 
     @property
     def answering(self) -> bool:
-        """Tell whether the device is open and has answered lately."""
+        """Return whether the device is open and has answered lately."""
         return self._open and time.monotonic() - self.answered_s < SILENT_S
 
     def reading(self, quantity: str) -> Reading:
@@ -120,7 +120,7 @@ class SlowDevice:
         return self._answered.wait(timeout_s)
 
     def close(self) -> None:
-        """Release the device: its thread does, or whoever has ended it."""
+        """Release the device, in its thread or after that has ended."""
         self._open = False
         self.source.close()
 
@@ -136,7 +136,7 @@ class SlowDevice:
             return
         now = time.monotonic()
         self._readings = {
-            name: told(value, now, self._readings.get(name)) for name, value in values.items()
+            name: reading_of(value, now, self._readings.get(name)) for name, value in values.items()
         }
         for name, reading in self._readings.items():
             keep(self._recent, name, reading)
@@ -145,7 +145,7 @@ class SlowDevice:
         self.worker.pause(PERIOD_S)
 
     def _failed(self, error: DeviceError) -> None:
-        """Close the device, to be opened again: what it left half done is nobody's guess."""
+        """Close the device, to be opened again: its state after a failure is unknown."""
         self.errors += 1
         self.last_error = error
         self._answered.set()
@@ -155,10 +155,10 @@ class SlowDevice:
 
 
 class SlowChannels:
-    """Tell the slow channels of a rig at any moment; any thread may ask.
+    """Return the values of a rig's slow channels; any thread may call it.
 
     drive: name of the drive; status: its newest status, None before the first. age_s: how long ago
-    a host time was, as a silence is judged.
+    a host time was, to judge a silence by.
     """
 
     def __init__(
@@ -180,7 +180,7 @@ class SlowChannels:
         self._taken_ns = 0
 
     def take_drive(self) -> None:
-        """Take note of what the drive has told last; called after every answer."""
+        """Take the drive's newest status; called after every answer."""
         status = self._status()
         if status is None or status.host_time_ns == self._taken_ns:
             return
@@ -190,7 +190,7 @@ class SlowChannels:
             if channel.device == self._drive:
                 before = self._drive_readings.get(channel.input)
                 value = float(getattr(status, channel.input))
-                self._drive_readings[channel.input] = reading = told(value, host_s, before)
+                self._drive_readings[channel.input] = reading = reading_of(value, host_s, before)
                 keep(self._drive_recent, channel.name, reading)
 
     def at(self, channel: Channel, host_s: float) -> tuple[float, float]:

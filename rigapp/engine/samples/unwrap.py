@@ -1,6 +1,6 @@
 """Follow the counter sample by sample: position, revolution cuts, everything suspicious.
 
-All memory is in one vector, ``state``, so that the result cannot depend on how the samples came in
+All state is in one vector, ``state``, so that the result cannot depend on how the samples came in
 blocks.
 
 A revolution ends when the position has gone one whole revolution away from its base, in either
@@ -8,7 +8,7 @@ direction, so that swinging back and forth over the index cuts once. Where the c
 the index, the cut waits for the index event; when the count has run an eighth of a turn beyond
 without one, the cut is made where the count says, and flagged.
 
-Words used here. *step*: counts turned from one sample to the next. *index event*: the counter was
+Terms. *step*: counts turned from one sample to the next. *index event*: the counter was
 set to zero by the index pulse between two samples. *base*: position of the index at which the
 present revolution began. *odd*: a step that no motion explains. *skip*: a jump of the count that
 stays, and that the next index confirms: samples went missing, as an encoder that loses counts comes
@@ -52,16 +52,16 @@ A speed that is wrong by 2 % misses half a revolution in 25.
 DITHER = 2
 """Counts: an edge that falls just before or after a sample, at each end of a step."""
 NUDGE = 4
-"""Counts to and fro that a standing crank may shake by: twice the dither. More is turning back."""
+"""Counts by which a stationary crank may shake: twice the dither. More is turning back."""
 ACCELERATES = 8
-"""By one part in so many a step may differ from the last, beside the encoder's tolerance.
+"""A step may differ from the last by one part in so many, beside the encoder's tolerance.
 
 An eighth within one sample is more than any drive does.
 """
 INDEX_STEADY = 50
 """The count at the index may be off by one part in so many of a step: a drive's ripple of 2 %."""
 INDEX_NEAR = 8
-"""The index is looked for within one part in so many of a turn of where the count expects it.
+"""The index is searched within one part in so many of a turn of where the count expects it.
 
 Half a turn off it could be either index; within an eighth it is plain which one it is.
 """
@@ -87,7 +87,7 @@ def wrap(value: int, modulus: int) -> int:
 
 @njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _begin_counting(count: int, state: Counts, parameters: Counts) -> None:
-    """Take the first count of all: it says where the crank is only if it never restarts."""
+    """Take the first count of all: it gives the angle of the crank only if it never restarts."""
     restarts = parameters[ParameterAt.RESTARTS] != 0
     start = 0 if restarts else count
     state[StateAt.STARTED] = 1
@@ -106,7 +106,7 @@ def _doubt(state: Counts) -> None:
 
 @njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _skip(jump: int, state: Counts, parameters: Counts) -> None:
-    """Take note of a jump that stays."""
+    """Record a jump that stays."""
     if abs(jump) > DITHER + parameters[ParameterAt.TOLERANCE]:
         state[StateAt.SKIPPED] += jump
         state[StateAt.SKIPS] += 1
@@ -204,7 +204,7 @@ def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Co
     else:
         aligned = count
     if state[StateAt.OTHER_VALID]:
-        # A single zero reading near the index looked like the index: go back.
+        # A single zero reading near the index was taken for the index: go back.
         former = state[StateAt.OTHER] + expected
         if abs(wrap(count - former, turn)) <= near:
             target = former
@@ -228,7 +228,7 @@ def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Co
 
 @njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
-    """Take an ordinary step; after a jump that has stayed, believe the count again."""
+    """Take an ordinary step; after a jump that has stayed, follow the count again."""
     now = state[StateAt.BEFORE] + step
     if state[StateAt.JUMPED] and state[StateAt.LOCKED]:
         # Samples went missing unseen: the count is right, the position was not.
@@ -244,7 +244,7 @@ def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
 
 @njit("void(int64, int64, int64[::1], float64[::1], int64[::1])", cache=True, nogil=True)
 def _follow(count: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts) -> None:
-    """Follow the count of one sample, whatever it does. lost: samples lost before it, -1 unknown.
+    """Follow the count of one sample. lost: samples lost before it, -1 unknown.
 
     Leaves in the state: POSITION, what it was BEFORE, whether the index was SEEN, the step was ODD,
     a GAP lay before, and LOCKED = 2 at the first index of all.
@@ -341,7 +341,7 @@ def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
         state[StateAt.PENDING] = 0
         return 0
     # A crank that had turned back onto the index comes to the next one with a count of 0: setting
-    # it to 0 cannot be seen then, and the count itself says where the index is.
+    # it to 0 cannot be seen then, and the count itself gives the index.
     shows = state[StateAt.PREVIOUS] == ahead - turn
     seen = state[StateAt.SEEN] != 0 or shows
     sure = ahead < 0 or seen or state[StateAt.GAP] != 0 or parameters[ParameterAt.RESTARTS] == 0
@@ -363,7 +363,7 @@ def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
 @njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _cut(
-    crossed: int, lost: int, events: Counts, found: int, state: Counts, parameters: Counts
+    crossed: int, lost: int, events: Counts, count: int, state: Counts, parameters: Counts
 ) -> int:
     """End a revolution and begin the next; return the number of events now."""
     turn = parameters[ParameterAt.COUNTS]
@@ -382,7 +382,7 @@ def _cut(
         state[StateAt.PENDING_POSITION],
     )
     kind = CUT if state[StateAt.INSIDE] else BEGIN
-    found = _event(events, found, kind, kept, sample, end, state)
+    count = _event(events, count, kind, kept, sample, end, state)
     state[StateAt.PENDING] = 0
     state[StateAt.INSIDE] = 1
     state[StateAt.BASE] = base
@@ -393,12 +393,12 @@ def _cut(
     state[StateAt.SKIPPED], state[StateAt.OFF_INDEX] = 0, 0
     state[StateAt.HIGH] = state[StateAt.POSITION]
     state[StateAt.START_KEPT] = kept
-    return found
+    return count
 
 
 @njit("boolean(int64[::1], int64[::1])", cache=True, nogil=True)
 def _worth_keeping(state: Counts, parameters: Counts) -> bool:
-    """Tell whether a sample is kept: not a long stand, and memory left."""
+    """Return whether a sample is kept: no long standstill, and memory left."""
     if state[StateAt.RUN] > parameters[ParameterAt.IDLE_AFTER]:
         state[StateAt.IDLE] += 1
         state[StateAt.FLAGS] |= _PAUSED
@@ -413,7 +413,7 @@ def _worth_keeping(state: Counts, parameters: Counts) -> bool:
 @njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
 def _place(
-    sample: int, lost: int, events: Counts, found: int, state: Counts, parameters: Counts
+    sample: int, lost: int, events: Counts, count: int, state: Counts, parameters: Counts
 ) -> int:
     """Begin, go on with, or end a revolution at a sample; return the number of events now."""
     now = state[StateAt.POSITION]
@@ -421,19 +421,19 @@ def _place(
         state[StateAt.LOCKED] = 1
         state[StateAt.INSIDE] = 1
         state[StateAt.START_KEPT] = state[StateAt.KEPT]
-        found = _event(events, found, BEGIN, state[StateAt.KEPT], sample, now, state)
+        count = _event(events, count, BEGIN, state[StateAt.KEPT], sample, now, state)
     if state[StateAt.LOCKED] == 0 or state[StateAt.SEEN]:
         state[StateAt.HIGH] = now
     if state[StateAt.LOCKED] == 0:
-        return found
+        return count
     crossed = _crossed(sample, state, parameters)
     if crossed != 0:
-        return _cut(crossed, lost, events, found, state, parameters)
+        return _cut(crossed, lost, events, count, state, parameters)
     if now > state[StateAt.HIGH]:
         state[StateAt.HIGH] = now
     elif now < state[StateAt.HIGH] - NUDGE and not state[StateAt.ODD] and not state[StateAt.GAP]:
         state[StateAt.FLAGS] |= _REVERSED
-    return found
+    return count
 
 
 @njit("int64(int64[::1], uint8[::1], int64, int64[::1], float64[::1], int64[::1],"
@@ -450,7 +450,7 @@ def _plain_run(
 ) -> int:
     """Take small steps forward within a revolution as long as they last; return where they end.
 
-    Nearly every sample is one; what is done here is what all the rest would do.
+    Nearly every sample is one; the result is the same as by the full path.
     """
     turn, direction = parameters[ParameterAt.COUNTS], parameters[ParameterAt.DIRECTION]
     if (

@@ -2,7 +2,7 @@
 
 The load cell gives force on the pin = matrix (signal - zero) in the crank frame. The joint force F
 is the one on the follower by the pin: F = -(force on the pin). force_1 is its component along the
-crank (e1), force_2 the one across it (n1). What the pin itself weighs outboard of the gauges turns
+crank (e1), force_2 the one across it (n1). The weight of the pin outboard of the gauges turns
 about the cell once a revolution and is taken off at the angle of each sample. Probes: position =
 sensitivity (voltage - offset), in the follower frame. A free channel: scale (voltage - offset), or
 the value in its table.
@@ -42,10 +42,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """Hold what turns the raw samples of one test into values, frozen at its start.
+    """The calibration of one test, frozen at its start: raw samples to values.
 
     wires: the inputs, in the order of ``table.sampled``; arrays (inputs, samples) here have that
-    order, and are asked for by name (``place``). scalars: what the free ones among them mean, by
+    order; ``inputs_of`` gives the indices. scalars: what the free ones among them mean, by
     name. index_angle_rad: crank angle at the index. sample_rate_Hz: nominal where the encoder is
     the clock.
     """
@@ -65,9 +65,9 @@ class Calibration:
         """Return the channels of the inputs, in the order of every array here."""
         return tuple(wire.channel.name for wire in self.wires)
 
-    def place(self, instrument: str) -> list[int]:
-        """Return the places of an instrument's inputs in an array."""
-        return [i for i, one in enumerate(self.wires) if one.channel.instrument == instrument]
+    def inputs_of(self, instrument: str) -> list[int]:
+        """Return the indices of an instrument's inputs in an array."""
+        return [i for i, wire in enumerate(self.wires) if wire.channel.instrument == instrument]
 
     @cached_property
     def rows(self) -> list[int]:
@@ -81,7 +81,7 @@ class Calibration:
 
     @cached_property
     def ranges(self) -> Array:
-        """Return the inputs' measuring ranges that were asked for, in signal units."""
+        """Return the inputs' requested measuring ranges, in signal units."""
         return np.array([wire.channel.signal_range or math.inf for wire in self.wires])
 
     @cached_property
@@ -96,27 +96,27 @@ class Calibration:
         if self.counter.clock is SampleClock.ENCODER:
             most = math.ceil(float(np.abs(self.latency_s).max()) * self.counter.fastest_Hz)
             return Margins(before=most, after=most)
-        whole, part = self.shift
-        after = np.where(part > 0, whole + 1, whole)
-        return Margins(before=max(0, int(-whole.min())), after=max(0, int(after.max())))
+        samples, part = self.shift
+        after = np.where(part > 0, samples + 1, samples)
+        return Margins(before=max(0, int(-samples.min())), after=max(0, int(after.max())))
 
     @cached_property
     def shift(self) -> tuple[NDArray[np.int64], Array]:
         """Return latency * rate of the inputs as whole samples and the fraction 0 .. 1."""
         samples = np.round(self.latency_s * self.sample_rate_Hz, 9)
-        whole = np.floor(samples)
-        return whole.astype(np.int64), samples - whole
+        floor = np.floor(samples)
+        return floor.astype(np.int64), samples - floor
 
     def force_gain(self) -> tuple[Array, Array]:
         """Return gain (2, 2) and bias (2,) of the linear joint force, N = gain raw + bias."""
-        first, second = self.place(LOAD_CELL)
+        first, second = self.inputs_of(LOAD_CELL)
         return self.load_cell.linear(self.wires[first], self.wires[second])
 
     @cached_property
     def own_weight(self) -> Array:
         """Return what the force gains for the weight of the pin, (2, counts of a turn) N.
 
-        (2, 0) where the pin weighs nothing in the plane of the crank: then there is nothing to do.
+        (2, 0) where the pin weighs nothing in the plane of the crank.
         """
         turn = self.encoder.counts_per_revolution if self.load_cell.pull.any() else 0
         return np.ascontiguousarray(self.load_cell.own_weight(self.angles(np.arange(turn))))
@@ -137,7 +137,7 @@ class Calibration:
         counts: from the index, (samples,); without them the weight of the pin stays in the forces.
         """
         values = np.empty_like(raw)
-        pair = self.place(LOAD_CELL)
+        pair = self.inputs_of(LOAD_CELL)
         gain, bias = self.force_gain()
         values[pair] = linearised_forces(
             gain @ raw[pair] + bias[:, None], self.load_cell.quadratic_terms
@@ -190,12 +190,12 @@ def shifted(revolution: Revolution, calibration: Calibration) -> Array:
     """Return the raw inputs (inputs, samples), latency corrected."""
     if revolution.ticks is not None:
         return _shifted_by_time(revolution, revolution.ticks, calibration)
-    whole, part = calibration.shift
+    delay, part = calibration.shift
     values, before = with_margins(revolution, calibration.margins)
     n = revolution.samples
     out = np.empty((len(calibration.wires), n))
     for i, row in enumerate(calibration.rows):
-        start = before + int(whole[i])
+        start = before + int(delay[i])
         raw = values[row]
         out[i] = raw[start : start + n]
         if part[i] > 0:
@@ -219,7 +219,7 @@ def _shifted_by_time(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Calibrated:
-    """Carry a calibrated revolution, arrays of (samples,).
+    """A calibrated revolution, arrays of (samples,).
 
     angle_rad: crank angle of each sample, from the whole counts. time_s: device time since the
     sample with index 0. curves: the channels with a value at each sample, by name and in the order
@@ -239,7 +239,7 @@ def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
     """Return the revolution in engineering units."""
     values = calibration.engineering(shifted(revolution, calibration), revolution.counts)
     if calibration.probes.correction is not None:
-        pair = calibration.place(PROBES)
+        pair = calibration.inputs_of(PROBES)
         values[pair] = calibration.probes.correction.apply(revolution.counts, values[pair])
     result = dict(zip(calibration.names, values, strict=True))
     result["force"] = np.hypot(*(result[name] for name in calibration.table.names_of(LOAD_CELL)))
@@ -251,7 +251,7 @@ def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
 
 
 class Measured:
-    """Carry one revolution of a test and its calibration: raw, and calibrated once when asked."""
+    """One revolution of a test and its calibration: raw, and calibrated once on request."""
 
     __slots__ = ("_calibrated", "calibration", "revolution")
 
@@ -262,7 +262,7 @@ class Measured:
 
     @property
     def calibrated(self) -> Calibrated:
-        """Return it in engineering units; whoever asks first has it calculated."""
+        """Return it in engineering units, calculated at the first call."""
         result = self._calibrated
         if result is None:
             result = self._calibrated = calibrate(self.revolution, self.calibration)
@@ -277,7 +277,7 @@ class Measured:
         return {**result, "count": raw[kind.counter.row]}
 
     def kept(self) -> Measured:
-        """Return it for a while in memory: a copy of the raw samples alone.
+        """Return it to be kept in memory: a copy of the raw samples alone.
 
         A view would hold the assembler's whole buffer, calibrated values several times the bytes.
         """
@@ -370,7 +370,7 @@ def _scalar(rig: RigFile, name: str) -> InputLine:
 
 
 def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:
-    """Return where the pulse rate is recorded; raise UnusableInput where only it tells the time."""
+    """Return where the pulse rate is recorded; raise UnusableInput where only it gives the time."""
     if setup.clock is not SampleClock.ENCODER:
         return None
     for row, spec in enumerate(setup.channels):

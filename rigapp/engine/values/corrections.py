@@ -30,7 +30,7 @@ LARGEST_SLOPE = 0.4
 
 
 def invertible(b: Array, largest: float) -> bool:
-    """Tell whether forces up to ``largest`` (N) follow from signals without doubt.
+    """Return whether forces up to ``largest`` (N) follow from signals without doubt.
 
     The slope of B q(F) is at most 2 |B| |F|; below ``LARGEST_SLOPE`` the map is one to one.
     """
@@ -87,8 +87,8 @@ def linearised_forces(force: Array, b: Array) -> Array:
 def follow(x: Array, n: int, table: Array) -> None:
     """Replace signals x[:n] by the values of a table (2, points); without points, do nothing.
 
-    Beyond an end the first, or the last, two points go on: a signal somewhat outside of what was
-    calibrated is told as what it would be, not as the end of the table.
+    Beyond an end the line of the first, or last, two points goes on: a signal outside of what was
+    calibrated gets the extrapolated value, not that of the table's end.
     """
     points = table.shape[1]
     if points < 2:
@@ -125,7 +125,7 @@ class ProbeCorrection:
     sines: Array
 
     def apply(self, counts: NDArray[np.int64], read: Array) -> Array:
-        """Return the pin's position (2, n) in the follower frame from what the probes read, um.
+        """Return the pin's position (2, n) in the follower frame from the probes' readings, um.
 
         counts (n,): of the encoder since its index.
         """
@@ -143,7 +143,7 @@ class ProbeCorrection:
 def probe_correction(
     probes: ProbesSection, counts_per_revolution: int, index_angle_rad: float
 ) -> ProbeCorrection | None:
-    """Return what the rig's records ask for, None for nothing."""
+    """Return the correction by the rig's records, None without one."""
     cosines = np.array(probes.run_out_cos_um, np.float64).reshape(2, -1)
     sines = np.array(probes.run_out_sin_um, np.float64).reshape(2, -1)
     matrix = np.array(probes.alignment, np.float64)

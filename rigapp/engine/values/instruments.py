@@ -1,6 +1,6 @@
-"""The instruments of a rig, each with the numbers that make N, um ... of its own signals.
+"""The instruments of a rig, each with the numbers that turn its signals into N, um ...
 
-A signal is what the data source says of one input: signal = scale raw + offset, in mV/V or V.
+A signal is the data source's value of one input: signal = scale raw + offset, in mV/V or V.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 class Wire:
     """One input as the Blocks carry it: the channel, its row, and signal = scale raw + offset.
 
-    unit: of the signal, as the device tells it.
+    unit: of the signal, by the device.
     """
 
     channel: Channel
@@ -38,7 +38,7 @@ class Wire:
 class Counter:
     """The row of the crank encoder's count, and what makes the device sample.
 
-    clock: with the encoder's, pulse_rate tells where the rate of its pulses is recorded, fastest_Hz
+    clock: with the encoder's, pulse_rate is where the rate of its pulses is recorded, fastest_Hz
     how many there can be a second.
     """
 
@@ -75,7 +75,7 @@ class LoadCell:
     def linear(self, first: Wire, second: Wire) -> tuple[Array, Array]:
         """Return gain (2, 2) and bias (2,) of the linear joint force, N = gain raw + bias."""
         scale, offset = (
-            np.array([getattr(one, name) for one in (first, second)])
+            np.array([getattr(wire, name) for wire in (first, second)])
             for name in ("scale", "offset")
         )
         return -self.matrix * scale, -self.matrix @ (offset - self.at_rest)

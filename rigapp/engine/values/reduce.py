@@ -45,7 +45,7 @@ _SINGLE = (
 
 @njit("int64(float64[::1], int64, float64)", cache=True, nogil=True, inline="never")
 def _first(x: Array, n: int, value: float) -> int:
-    """Return the first place of a value in x[:n], 0 where there is none."""
+    """Return the first index of a value in x[:n], 0 where there is none."""
     for i in range(0, n, LANES):
         part = x[i : min(i + LANES, n)]
         hits = 0
@@ -83,7 +83,7 @@ def _extremes_and_moments(
         sums[j] = squares[j] = 0.0
         highest[j], lowest[j] = -np.inf, np.inf
     for i in range(0, n, LANES):
-        # A slice and counted loops from 0, so that they become vector code.
+        # A slice and counted loops from 0 become vector code.
         part = x[i : min(i + LANES, n)]
         for j in range(part.shape[0]):
             v = part[j]
@@ -162,11 +162,11 @@ def _forces(
     index_deg: float,
     scratch: Array,
     lanes: Array,
-    place: int,
+    column: int,
     row: Array,
     speed: Array,
 ) -> None:
-    """Write the statistics of both forces and of their size from row[place] on, and the speed."""
+    """Write the statistics of both forces and of their size from row[column] on, and the speed."""
     n = counts.shape[0]
     g11, g12, g21, g22 = gain[0, 0], gain[0, 1], gain[1, 0], gain[1, 1]
     c1, c2 = bias[0], bias[1]
@@ -210,9 +210,9 @@ def _forces(
             total[i] = math.sqrt(x * x + y * y)
     for values in (first, second, total):
         _extremes_and_moments(
-            values, n, counts, pitch_deg, index_deg, lanes, row[place : place + 5]
+            values, n, counts, pitch_deg, index_deg, lanes, row[column : column + 5]
         )
-        place += 5
+        column += 5
     _local_speed(counts, segments, speed)
 
 
@@ -228,10 +228,10 @@ def _single(
     index_deg: float,
     scratch: Array,
     lanes: Array,
-    place: int,
+    column: int,
     row: Array,
 ) -> None:
-    """Write the statistics of a channel that follows from one input from row[place] on."""
+    """Write the statistics of a channel that follows from one input from row[column] on."""
     n = counts.shape[0]
     a = raw[start:]
     if part == 0.0:
@@ -243,7 +243,7 @@ def _single(
         for i in range(n):
             scratch[i] = gain * (rest * a[i] + part * following[i]) + bias
     follow(scratch, n, table)
-    _extremes_and_moments(scratch, n, counts, pitch_deg, index_deg, lanes, row[place : place + 5])
+    _extremes_and_moments(scratch, n, counts, pitch_deg, index_deg, lanes, row[column : column + 5])
 
 
 _forces_kernel = njit(
@@ -256,15 +256,15 @@ _single_kernel = njit(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Single:
-    """How one input becomes the statistics of its channel; place: of the first in a row."""
+    """How one input becomes the statistics of its channel; column: of the first in a row."""
 
     row: int
-    whole: int
+    delay: int
     part: float
     gain: float
     bias: float
     table: Array
-    place: int
+    column: int
 
 
 class Reducer:
@@ -274,7 +274,7 @@ class Reducer:
         table = calibration.table
         self.calibration = calibration
         self.table = table
-        self._whole, self._part = calibration.shift
+        self._delay, self._part = calibration.shift
         self._margins = calibration.margins
         self._scratch = np.empty((3, 8192))
         self._lanes = np.empty((4, LANES))
@@ -283,15 +283,15 @@ class Reducer:
         self._pitch_deg = 360.0 / self._turn
         self._index_deg = math.degrees(calibration.index_angle_rad)
         self._rpm_per_slope = 60.0 * calibration.sample_rate_Hz / self._turn
-        pair = calibration.place(LOAD_CELL)
+        pair = calibration.inputs_of(LOAD_CELL)
         self._pair = [calibration.rows[i] for i in pair]
-        self._pair_whole, self._pair_part = self._whole[pair], self._part[pair]
+        self._pair_delay, self._pair_part = self._delay[pair], self._part[pair]
         self._gain, self._bias = calibration.force_gain()
         self._first = table.place[f"{table.curves[0].name}_max"]
         self._singles = [
             _Single(
                 wire.row,
-                int(self._whole[i]),
+                int(self._delay[i]),
                 float(self._part[i]),
                 *line.linear(wire),
                 line.table,
@@ -300,12 +300,12 @@ class Reducer:
             for i, wire in enumerate(calibration.wires)
             if (line := calibration.lines.get(wire.channel.name)) is not None
         ]
-        place = table.place
+        index = table.place
         self._samples, self._lost, self._quality = (
-            place[name] for name in ("samples", "lost_samples", "quality")
+            index[name] for name in ("samples", "lost_samples", "quality")
         )
-        self._mean_speed = place["speed"]
-        self._speeds = slice(place["speed_max"], place["speed_rms"] + 1)
+        self._mean_speed = index["speed"]
+        self._speeds = slice(index["speed_max"], index["speed_rms"] + 1)
         self._unknown = np.full(len(table.names), np.nan)
 
     def reduce(self, measured: Measured) -> Array:
@@ -346,7 +346,7 @@ class Reducer:
             values[self._pair[0]],
             values[self._pair[1]],
             before,
-            self._pair_whole,
+            self._pair_delay,
             self._pair_part,
             self._gain,
             self._bias,
@@ -362,20 +362,20 @@ class Reducer:
             row,
             self._speed,
         )
-        for one in self._singles:
+        for single in self._singles:
             _single_kernel(
-                values[one.row],
-                before + one.whole,
-                one.part,
-                one.gain,
-                one.bias,
-                one.table,
+                values[single.row],
+                before + single.delay,
+                single.part,
+                single.gain,
+                single.bias,
+                single.table,
                 counts,
                 self._pitch_deg,
                 self._index_deg,
                 first,
                 self._lanes,
-                one.place,
+                single.column,
                 row,
             )
 
@@ -383,10 +383,10 @@ class Reducer:
         """Fill in the statistics of samples at no fixed times, or of corrected probes."""
         revolution, values = measured.revolution, measured.calibrated
         _local_speed(revolution.counts, revolution.segments, self._speed)
-        for one in self.table.curves:
-            place = self.table.place[f"{one.name}_max"]
-            curve = np.ascontiguousarray(values[one.name])
-            out = row[place : place + len(STATISTICS)]
+        for channel in self.table.curves:
+            first = self.table.place[f"{channel.name}_max"]
+            curve = np.ascontiguousarray(values[channel.name])
+            out = row[first : first + len(STATISTICS)]
             _extremes_and_moments(
                 curve,
                 revolution.samples,
@@ -401,8 +401,8 @@ class Reducer:
 def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:
     """Return max, min and RMS over time of the speed in counts per tick, of samples at pulses.
 
-    The speed is that over 1/SPEED_WINDOWS of a revolution, LEAST_SAMPLES pulses at least; a stand
-    within one counts as idle, not as slowness.
+    The speed is that over 1/SPEED_WINDOWS of a revolution, LEAST_SAMPLES pulses at least; a
+    standstill within one counts as idle, not as slowness.
     """
     ticks = np.append(revolution.sample_indices(), revolution.end_sample)
     counts = np.append(revolution.counts, revolution.end_count)
