@@ -88,12 +88,12 @@ def print_schema(kind: str) -> int:
 
 
 def _fill(folder: Path, files: list[StartingFile], about: Mapping[str, str]) -> None:
-    """Write files into a folder and list them; about: place -> what it is."""
+    """Write files into a folder and list them; about: path -> what it is."""
     write_files(folder, files)
     print(f"{folder} holds now:")
-    width = max(len(str(file.place)) for file in files)
+    width = max(len(str(file.path)) for file in files)
     for file in files:
-        print(f"  {file.place!s:<{width}}  {about.get(str(file.place), '')}".rstrip())
+        print(f"  {file.path!s:<{width}}  {about.get(str(file.path), '')}".rstrip())
 
 
 def _print_next(folder: Path, commands: Sequence[str]) -> None:

@@ -1,1 +1,1 @@
-"""Rig and test files: what may stand in them, read, checked and told in plain sentences."""
+"""Rig and test files: their allowed content, reading, checks, and errors in plain sentences."""

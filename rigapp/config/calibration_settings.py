@@ -20,7 +20,7 @@ LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
 """Relative: of a value from latitude and height, and of a stated local value."""
 WITH_THE_READINGS = within(-math.inf, math.inf)
-"""Any number: ``rigapp_calibration.load_cell.settings`` judges it, where the readings are."""
+"""Any number: ``rigapp_calibration.load_cell.settings`` judges it, beside the readings."""
 
 
 class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -61,8 +61,8 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def relative_uncertainty(self) -> float:
         """Return the relative standard uncertainty of any load.
 
-        All pieces may be off to the same side (one laboratory compared them with one standard), so
-        that a load is known as well as its worst piece.
+        The errors of all pieces may have the same sign (one laboratory compared them with one
+        standard), so that a load is known as well as its worst piece.
         """
         if self.relative_standard_uncertainty is not None:
             return self.relative_standard_uncertainty
@@ -102,10 +102,10 @@ class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[use]: what changes from the calibration to a test, each at most so much; part of U.
+    """[use]: changes from the calibration to a test, each at most so much; part of U.
 
     The defaults are those of a good strain-gauge cell in a room that is not air-conditioned; 0
-    leaves a part out. cross_terms, bend, loop: what a calibration does not show.
+    leaves a part out. cross_terms, bend, loop: effects that a calibration does not show.
     """
 
     temperature_difference_K: Annotated[float, within(0.0, 100.0)] = 5.0
@@ -124,7 +124,7 @@ class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[paperwork]: what the certificate names beside the numbers.
+    """[paperwork]: the texts of the certificate beside the numbers.
 
     All optional. condition_as_received: ISO/IEC 17025, 7.8.2.1 g.
     """
@@ -147,7 +147,7 @@ class PaperworkSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Standard(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[[standard]]: what was measured with beside the weights: a level, micrometer, thermometer."""
+    """[[standard]]: a standard beside the weights: a level, micrometer, thermometer."""
 
     name: str
     certificate: str
@@ -156,7 +156,7 @@ class Standard(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class CalibrationFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """What every settings file of a calibration has."""
+    """The common part of every settings file of a calibration."""
 
     schema: int
     paperwork: PaperworkSection = PaperworkSection()
@@ -225,9 +225,9 @@ class RunOutFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_on
     place: SurroundingsSection = SurroundingsSection()
 
 
-def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
-    """Return what settings mean in SI; raise UnusableInput naming ``where`` they come from."""
-    place = given.place
+def load_cell_meaning(file: LoadCellFile, where: str) -> LoadCellSettings:
+    """Return the settings in SI; raise UnusableInput naming ``where`` they come from."""
+    place = file.place
     expected = None
     if place.latitude_deg is not None:
         expected = normal_gravity(math.radians(place.latitude_deg), place.height_m)
@@ -242,16 +242,16 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
     if relative is None:
         stated = place.gravity_m_s2 is not None
         relative = STATED_GRAVITY_UNCERTAINTY if stated else LATITUDE_GRAVITY_UNCERTAINTY
-    weights = given.weights
+    weights = file.weights
     return LoadCellSettings(
         cell=CellSettings(
-            given.cell.name,
-            given.cell.full_scale_N,
-            given.cell.resolution_N,
-            given.cell.signal_unit,
-            given.cell.rated_output_mV_per_V,
-            0.01 * given.cell.rated_output_tolerance_percent,
-            given.cell.decision_rule == "guard band",
+            file.cell.name,
+            file.cell.full_scale_N,
+            file.cell.resolution_N,
+            file.cell.signal_unit,
+            file.cell.rated_output_mV_per_V,
+            0.01 * file.cell.rated_output_tolerance_percent,
+            file.cell.decision_rule == "guard band",
         ),
         weights=WeightSet(
             weights.mass_kind,
@@ -267,37 +267,37 @@ def load_cell_meaning(given: LoadCellFile, where: str) -> LoadCellSettings:
             place.air_density_kg_per_m3,
             place.air_density_standard_uncertainty_kg_per_m3,
         ),
-        angle_offset=math.radians(given.angle.offset_deg or 0.0),
-        angle_uncertainty=math.radians(given.angle.standard_uncertainty_deg),
-        angle_stated=given.angle.offset_deg is not None,
+        angle_offset=math.radians(file.angle.offset_deg or 0.0),
+        angle_uncertainty=math.radians(file.angle.standard_uncertainty_deg),
+        angle_stated=file.angle.offset_deg is not None,
         gravity_stated=place.gravity_m_s2 is not None,
         gravity_expected=expected,
-        use=_use(given.use, given.paperwork.valid_days),
+        use=_use(file.use, file.paperwork.valid_days),
     )
 
 
-def _use(given: UseSection, valid_days: int) -> Use:
-    """Return what changes until the record expires, as parts instead of per cent."""
+def _use(use: UseSection, valid_days: int) -> Use:
+    """Return the changes until the record expires, as parts instead of per cent."""
     return Use(
-        temperature=given.temperature_difference_K,
-        gain_per_kelvin=0.01 * given.gain_percent_per_K,
-        zero_per_kelvin=0.01 * given.zero_percent_of_full_scale_per_K,
-        creep=0.01 * given.creep_percent,
-        change=0.01 * given.gain_change_percent_per_year * valid_days / 365.0,
-        introduction=0.01 * given.load_introduction_percent,
-        angle=math.radians(given.angle_deg),
-        largest=given.largest_force_N,
-        dead_zone=0.01 * given.dead_zone_percent,
-        zeroed=given.zero_before_test,
-        cross_terms=0.01 * given.cross_terms_percent,
-        nonlinearity=0.01 * given.bend_percent,
-        loop=0.01 * given.loop_percent,
+        temperature=use.temperature_difference_K,
+        gain_per_kelvin=0.01 * use.gain_percent_per_K,
+        zero_per_kelvin=0.01 * use.zero_percent_of_full_scale_per_K,
+        creep=0.01 * use.creep_percent,
+        change=0.01 * use.gain_change_percent_per_year * valid_days / 365.0,
+        introduction=0.01 * use.load_introduction_percent,
+        angle=math.radians(use.angle_deg),
+        largest=use.largest_force_N,
+        dead_zone=0.01 * use.dead_zone_percent,
+        zeroed=use.zero_before_test,
+        cross_terms=0.01 * use.cross_terms_percent,
+        nonlinearity=0.01 * use.bend_percent,
+        loop=0.01 * use.loop_percent,
     )
 
 
-def probe_meaning(given: ProbeFile) -> ProbeSettings:
-    """Return what the settings of a probe mean in SI."""
-    probe = given.probe
+def probe_meaning(file: ProbeFile) -> ProbeSettings:
+    """Return the settings of a probe in SI."""
+    probe = file.probe
     return ProbeSettings(
         name=probe.name,
         range_volts=probe.range_V,

@@ -1,4 +1,4 @@
-"""The channel table of a rig file, and what is wrong with its ``[channels.NAME]``."""
+"""The channel table of a rig file, and the faults of its ``[channels.NAME]``."""
 
 from __future__ import annotations
 
@@ -137,13 +137,13 @@ def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, s
 
 def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str]:
     if section.source:
-        given = [field for field in _OF_INPUT if getattr(section, field) != getattr(_PLAIN, field)]
-        if given:
+        fields = [field for field in _OF_INPUT if getattr(section, field) != getattr(_PLAIN, field)]
+        if fields:
             yield say(
                 "{}.{} means nothing beside {}.source; take one of them out, a channel"
                 " is either an input or a source",
                 key,
-                given[0],
+                fields[0],
                 key,
             )
         yield from _of_source(rig, key, section)

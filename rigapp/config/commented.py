@@ -1,4 +1,4 @@
-"""Write a file of settings that explains itself: every key with its meaning, range and default."""
+"""Write a settings file with comments: every key with its meaning, range and default."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def commented(
     settings: Mapping[str, Mapping[str, Any]] | None = None,
     without: tuple[str, ...] = (),
 ) -> str:
-    """Return a file of a kind as TOML: what is stated, and every other key commented out.
+    """Return a file of a kind as TOML: the stated keys, and every other key commented out.
 
     stated: nested tables, as the file would hold them. notes: path of a key -> one more sentence
     above it. settings: name of a device -> the settings of its driver, each a ``SettingSpec``.

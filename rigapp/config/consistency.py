@@ -1,4 +1,4 @@
-"""What does not fit together within one file, each as a sentence without the file's name."""
+"""Contradictions within one file, each as a sentence without the file's name."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from rigapp.texts import joined, say, sentence_of_error
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
 CELL_CONDITION = 1e6
-"""Condition number from which a load cell's bridges count as showing one force: its calibration
-resolves some 1e-4 of the full scale, so nothing is left of the second component before."""
+"""Condition number from which a load cell's bridges count as measuring one force: its calibration
+resolves some 1e-4 of the full scale, so the second component is lost even before."""
 
 ALIGNMENT_CONDITION = 100.0
-"""The same of two probes: their axes would be 1 deg apart, which no mounting means."""
+"""The same of two probes: their axes would be 1 deg apart, which no mounting has."""
 
 
 def faults(record: msgspec.Struct) -> Iterator[str]:
-    """Yield what does not fit together in a rig, test, parameter or settings file."""
+    """Yield the contradictions in a rig, test, parameter or settings file."""
     yield from _of_texts(record, "")
     if isinstance(record, RigFile):
         yield from _of_rig(record)
@@ -43,7 +43,7 @@ def faults(record: msgspec.Struct) -> Iterator[str]:
 
 
 def _of_texts(value: object, key: str) -> Iterator[str]:
-    """Refuse what no file and no screen can show: it would end the text for the next reader."""
+    """Refuse characters that no file and no screen can show: readers would cut the text there."""
     if isinstance(value, msgspec.Struct):
         for name in value.__struct_fields__:
             yield from _of_texts(getattr(value, name), f"{key}.{name}".lstrip("."))
@@ -100,7 +100,7 @@ def _of_inputs(rig: RigFile) -> Iterator[str]:
 
 
 def number_faults(rig: RigFile) -> Iterator[str]:
-    """Yield what is wrong with the numbers of a rig, those of its calibration records too."""
+    """Yield the faults of the numbers of a rig, those of its calibration records too."""
     yield from refusals(rig)
     yield from _of_numbers(rig)
 
@@ -162,7 +162,7 @@ def _condition(matrix: Matrix) -> float:
 def _of_test(test: TestFile) -> Iterator[str]:
     wrong = list(_of_sequence(test))
     yield from wrong
-    # Steps that contradict themselves have no fastest one; the speed of [run] is judged then.
+    # Contradictory steps have no fastest one; the speed of [run] is judged then.
     run = msgspec.structs.replace(test.run, step=()) if wrong else test.run
     yield from overspeed_faults(test.limits, Sequence(run))
     stop, limits = test.stop, test.limits

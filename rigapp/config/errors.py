@@ -1,4 +1,4 @@
-"""Unusable input, said in one sentence."""
+"""Unusable input, as an error of one sentence."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rigapp.texts import Sentence, SentenceError, joined, say
 
 
 class UnusableInput(SentenceError):
-    """Say which file and key cannot be used, and what to do; exit status 2."""
+    """The sentence says which file and key cannot be used, and what to do; exit status 2."""
 
 
 _WORDS = {
@@ -26,7 +26,7 @@ _WORDS = {
 
 
 def in_words(error: Exception) -> tuple[str, str]:
-    """Return where a record is not as its type says, as a dotted path, and what is wrong there.
+    """Return where a record does not match its type, as a dotted path, and what is wrong there.
 
     error: a ``msgspec.ValidationError``; its own names of types become plain words.
     """
@@ -42,7 +42,7 @@ def in_words(error: Exception) -> tuple[str, str]:
 
 
 _VALUES = re.compile(r"`([a-z| ]+)`|'[^']*'|(?<= )-?[\d.]+(?:e[-+]?\d+)?\b")
-"""What a message of msgspec says of one case: kinds of values, and values."""
+"""The variable parts of a message of msgspec: kinds of values, and values."""
 
 
 def _kind(names: str) -> str:
@@ -55,9 +55,9 @@ Extra = Literal["analysis", "page", "publish", "studies"]
 
 @contextmanager
 def from_extra(extra: Extra, what: str) -> Iterator[None]:
-    """Import inside it what an extra brings; raise UnusableInput with the way to get it.
+    """Import the packages of an extra inside it; raise UnusableInput with the way to install it.
 
-    what: who needs it, the beginning of the sentence.
+    what: needs it; the beginning of the sentence.
     """
     try:
         yield

@@ -34,14 +34,14 @@ KINDS: Mapping[type[msgspec.Struct], str] = {
     TestFile: say("test file"),
     ParameterFile: say("parameter file"),
 }
-"""What the files are called that people give together, and that their tables tell apart."""
+"""Names of the kinds of files that are given together, and whose tables differ."""
 
 Record = TypeVar("Record", bound=msgspec.Struct)
 
 
 @dataclass(frozen=True, slots=True)
 class Document(Generic[Record]):
-    """A configuration file as read: where from, its text as it stands, and what it means."""
+    """A configuration file as read: its path, its text, and its record."""
 
     path: Path
     text: str
@@ -53,7 +53,7 @@ class RigRecords:
     """A rig with the numbers of its records. texts: label -> the record as stored, sealed.
 
     blocking: label -> why the record forbids a start (expired), empty when none does. remarks:
-    label -> the record's number and date, and what of it cannot be verified.
+    label -> the record's number and date, and its parts that cannot be verified.
     """
 
     rig: Document[RigFile]
@@ -73,7 +73,7 @@ def read_test(path: Path) -> Document[TestFile]:
 
 
 def parse_notify(text: str, name: str) -> NotifyFile:
-    """Read a user's file of ways from text; raise UnusableInput."""
+    """Read a user's file of message channels from text; raise UnusableInput."""
     return _record(Path(name), toml_tree(text, name), NotifyFile)
 
 
@@ -96,13 +96,13 @@ def parse_parameters(tree: Mapping[str, Any], name: str) -> Parameters:
 def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
     """Read a test from text; raise UnusableInput.
 
-    recorded: it has run already, and is only shown; what was allowed then is not judged again.
+    recorded: it has run already, and is only shown; its ranges are not judged again.
     """
     return _record(Path(name), toml_tree(text, name), TestFile, recorded=recorded)
 
 
 def validated_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]:
-    """Return the test that nested tables mean, None where it is unusable, and all its mistakes."""
+    """Return the test of nested tables, None where it is unusable, and all its mistakes."""
     try:
         record = _decode(Path("test"), tree, TestFile)
     except UnusableInput as error:

@@ -1,4 +1,4 @@
-"""What every key of a file means, and the JSON Schema in which an editor reads that."""
+"""The meaning of every key of a file, and the JSON Schema with it for an editor."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 
 KINDS: Final[Mapping[str, type[msgspec.Struct]]] = {"rig": RigFile, "test": TestFile}
-"""Files with a schema of their own, by the word that a user says."""
+"""Files with a schema of their own, by the word of the command line."""
 
 DIALECT: Final = "http://json-schema.org/draft-07/schema#"
 """Draft 7: the newest that the TOML editors (taplo, Even Better TOML) read."""
@@ -45,7 +45,7 @@ def meanings() -> Mapping[type[msgspec.Struct], Mapping[str, str]]:
 
 
 def meaning_of(kind: type[msgspec.Struct], key: Key) -> str:
-    """Return what a key means, with its unit, range and choices, as one or two sentences."""
+    """Return the meaning of a key, with its unit, range and choices, as one or two sentences."""
     return described(meanings()[kind][key.path], key)
 
 

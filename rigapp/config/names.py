@@ -1,4 +1,4 @@
-"""Names of files: can one be written, beside what is kept meanwhile; the name of a new result."""
+"""Names of files: whether one can be written, temporary files included; names of new results."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def new_result(folder: Path, name: str) -> Path:
 
 
 def login_name() -> str:
-    """Return who is logged in, empty where the system has no name for the account."""
+    """Return the name of the account, empty where the system has none."""
     try:
         return getuser()
     except (KeyError, OSError, ImportError):  # an account without an entry; Python 3.11 on Windows

@@ -1,4 +1,4 @@
-"""``[[notify]]`` and ``[ping]``: who is told of what, in a rig file or in the user's own file."""
+"""``[[notify]]`` and ``[ping]``: messages to people, in a rig file or in the user's own file."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from rigapp.texts import joined, say
 When = Literal["critical", "warning", "end", "pause", "criterion", "silence", "disk", "daily"]
 
 REFERENCE: Final = re.compile(r"\{([a-z][a-z0-9_]*)\}")
-"""What stands in a URL in the place of a secret: its name in braces."""
+"""The placeholder of a secret in a URL: its name in braces."""
 
 CLOCK: Final = re.compile(r"([01]\d|2[0-3]):([0-5]\d)")
 """A time of the day, as ``daily_at`` has it."""
 
 WAY_NAME: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
-"""What a way may be called: it stands in lines of the log."""
+"""Pattern of a channel's name, which appears in the log."""
 
 
 class NotifySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[[notify]]: one way to reach somebody: by a URL of apprise, or by a command of one's own.
+    """[[notify]]: one channel for messages: a URL of apprise, or a command of the user.
 
-    What comes again within recovered_after_s is told no second time.
+    An event that recurs within recovered_after_s is not reported again.
     """
 
     url: str = ""
@@ -44,14 +44,14 @@ class NotifySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class PingSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[ping]: a URL that is asked for at an interval while all is well (a dead man's switch)."""
+    """[ping]: a URL that is requested at an interval while all is well (a dead man's switch)."""
 
     url: str
     interval_s: Annotated[float, within(5.0, 86_400.0)] = 60.0
 
 
 class NotifyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The user's own file: ways for every rig of this user."""
+    """The user's own file: channels for every rig of this user."""
 
     schema: int
     notify: tuple[NotifySection, ...] = ()
@@ -59,7 +59,7 @@ class NotifyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def notify_faults(ways: Sequence[NotifySection], ping: PingSection | None) -> Iterator[str]:
-    """Yield what is wrong with ways and ping, each as a sentence that repeats no URL."""
+    """Yield the faults of channels and ping, each as a sentence that repeats no URL."""
     for number, way in enumerate(ways, 1):
         yield from (say("notify {} {}", number, fault) for fault in _of_way(way))
     for name, count in Counter(way.name for way in ways if way.name).items():
@@ -96,7 +96,7 @@ def _of_way(way: NotifySection) -> Iterator[str]:
 
 
 def _password_in(url: str) -> bool:
-    """Tell whether a URL holds a password that is no reference."""
+    """Return whether a URL holds a password that is no reference."""
     try:
         password = urlsplit(REFERENCE.sub("", url)).password
     except ValueError:

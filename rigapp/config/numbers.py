@@ -1,7 +1,7 @@
-"""What a number of a file may be, said at its field: ``Annotated[float, within(0.1, 3000.0)]``.
+"""The allowed range of a number in a file, at its field: ``Annotated[float, within(0.1, 3000.0)]``.
 
-It is judged by ``config.ranges``, not while a file is read: what was allowed when a test ran is
-not judged again when it is shown.
+It is judged by ``config.ranges``, not while a file is read: the values of a recorded test are not
+judged again when it is shown.
 """
 
 from __future__ import annotations
@@ -17,38 +17,38 @@ from rigapp.texts import Sentence, say
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """What a number may be, both ends included.
+    """The range of a number, both ends included.
 
-    size: its size is judged, the sign is free. whole: of things that are counted. unit: where the
+    size: the absolute value is judged. integer: whole numbers only. unit: where the
     key does not name it.
     """
 
     low: float
     high: float
     size: bool = False
-    whole: bool = False
+    integer: bool = False
     unit: str = ""
 
     def holds(self, value: float) -> bool:
-        """Tell whether a finite number lies within."""
+        """Return whether a finite number lies within."""
         return self.low <= (abs(value) if self.size else value) <= self.high
 
     def words(self, unit: str) -> str:
-        """Return the range as a sentence says it."""
+        """Return the range as part of a sentence."""
         range_ = say("{:.9g} to {:.9g}", self.low, self.high)
         range_ = say("{} {}", range_, Sentence(unit)) if unit else range_
         return range_ + say(", of either sign") if self.size else range_
 
     def counted(self) -> Range:
         """Return the range of whole numbers only."""
-        return replace(self, whole=True)
+        return replace(self, integer=True)
 
 
 ANY: Final = Range(-math.inf, math.inf)
 
 
 def within(low: float, high: float, *, size: bool = False, unit: str = "") -> msgspec.Meta:
-    """Return what says, in an annotation, what a number may be; see ``Range``."""
+    """Return the annotation of a number's range; see ``Range``."""
     return msgspec.Meta(extra={"range": Range(low, high, size, unit=unit)})
 
 

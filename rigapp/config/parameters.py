@@ -1,4 +1,4 @@
-"""The parameter file of the model: the text side, units in the keys, and what it means in SI."""
+"""The parameter file of the model: its text with units in the keys, and its records in SI."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class PinSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class WearSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[wear]: the wear law, one of ``LAWS``; a key that the law does not read must be absent.
+    """[wear]: the wear law, one of ``LAWS``; a key that the law does not use must be absent.
 
     bushing.wear_coefficient is the steady one of running-in, that at the reference pressure of the
     pressure exponent, and the mild one of two regimes.
@@ -108,7 +108,7 @@ class WearSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class PairingSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[pairing]: where the pair of materials may run; beyond, a test warns.
+    """[pairing]: the range of the pair of materials; beyond it, a test warns.
 
     pressure_velocity: of nominal pressure (force over pin diameter and bushing width) and sliding
     speed at one crank angle; the largest of a revolution is judged.
@@ -136,7 +136,7 @@ class ParameterFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> Parameters:
     """Turn a parameter file's record into the model's records in SI.
 
-    ``source`` and ``section`` (for example "model" for the [model] part of a test) only serve the
+    ``source`` and ``section`` (for example "model" for the [model] part of a test) are for the
     message. Raises UnusableInput naming the key, its value in the file's unit, and the remedy.
     """
     from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
@@ -174,15 +174,15 @@ def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
         return ARCHARD
     needs = LAWS[wear.law].needs
     for key in wear.__struct_fields__[1:]:
-        given = getattr(wear, key) is not None
-        if given and key not in needs:
+        is_set = getattr(wear, key) is not None
+        if is_set and key not in needs:
             raise UnusableInput(
                 "{}.{} means nothing with law = {}; take it out or choose the law that reads it",
                 where,
                 key,
                 repr(wear.law),
             )
-        if not given and key in needs:
+        if not is_set and key in needs:
             raise UnusableInput("{}.{} is missing; the law {} needs it", where, key, repr(wear.law))
     if needs and not coefficient > 0.0:
         raise UnusableInput(

@@ -1,7 +1,7 @@
-"""Judge the numbers of files, live changes and requests by what their fields say they may be.
+"""Judge the numbers of files, live changes and requests by the ranges of their fields.
 
 A key is the dotted path of a number in its file, ``*`` for a name of the user's own; the unit is
-the one that the key names. Every number must be finite; a field that says nothing asks no more.
+the one that the key names. Every number must be finite; a field without a range requires no more.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from rigapp.texts import Sentence, say
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """A key of a file that holds no table: its path, type, default and what its number may be.
+    """A key of a file that holds no table: its path, type, default and range.
 
-    value_type: without None and annotations. choices: what is allowed, if only these texts are.
-    words: what its values mean, where that is told. default: NODEFAULT when the key is required.
+    value_type: without None and annotations. choices: the allowed texts, if only these are.
+    words: meaning of its values, where described. default: NODEFAULT when the key is required.
     optional: the section that holds it may be absent.
     """
 
@@ -83,7 +83,7 @@ def _bare(hint: Any) -> Any:
 
 
 def _range_in(hint: Any) -> Range:
-    """Return what a type says of its number, wherever in it that stands."""
+    """Return the range in a type, at whatever depth."""
     for meta in getattr(hint, "__metadata__", ()):
         if isinstance(meta, msgspec.Meta) and "range" in (meta.extra or {}):
             result: Range = (meta.extra or {})["range"]
@@ -95,7 +95,7 @@ def _range_in(hint: Any) -> Range:
 
 
 def _choices(hint: Any) -> Iterator[str]:
-    """Yield what every Literal within a type allows."""
+    """Yield the values of every Literal within a type."""
     for part in typing.get_args(hint):
         if typing.get_origin(hint) is Literal:
             yield str(part)
@@ -119,22 +119,22 @@ LEVELS: Final[Mapping[str, Range]] = {
     "rpm": Range(0.0, 5000.0),
     "deg": Range(-360.0, 360.0),
 }
-"""Unit of a quantity -> what a level of a rule on it may be."""
+"""Unit of a quantity -> the range of a rule's level on it."""
 
 OTHER_LEVEL: Final = Range(-1e9, 1e9)
-"""What a level may be on a quantity of any other unit."""
+"""The range of a level on a quantity of any other unit."""
 
 
 def unit_of(key: str, allowed: Range | None = None) -> str:
-    """Return the unit of a key as a sentence writes it, empty when there is none."""
+    """Return the unit of a key for a sentence, empty when there is none."""
     allowed = RANGES.get(key, ANY) if allowed is None else allowed
     return allowed.unit or unit_of_key(key).words
 
 
 def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None = None) -> str:
-    """Return what is wrong with the value of a key, without a full stop; empty when it is right.
+    """Return the fault of a key's value, without a full stop; empty when it is right.
 
-    allowed, unit: in place of the field's. The unit that was likely meant is named.
+    allowed, unit: in place of the field's. The likely intended unit is named.
     """
     allowed = RANGES.get(key, ANY) if allowed is None else allowed
     unit = unit_of(key, allowed) if unit is None else unit
@@ -145,7 +145,7 @@ def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None
         return say("{} = {} is not a number{}", key, shown, range_words)
     if isinstance(value, float) and not math.isfinite(value):
         return say("{} = {} is not a finite number{}", key, value, range_words)
-    if allowed.whole and not isinstance(value, int):
+    if allowed.integer and not isinstance(value, int):
         return say("{} = {} is not a whole number{}", key, value, range_words)
     if allowed.holds(value):
         return ""
@@ -159,7 +159,7 @@ def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None
 
 
 def refusals(record: msgspec.Struct) -> Iterator[str]:
-    """Yield what is wrong with the numbers of a record, in the order of the file."""
+    """Yield the faults of the numbers of a record, in the order of the file."""
     ranges = {key.path: key.range for key in keys_of(type(record))}
     for name in record.__struct_fields__:
         yield from _of_value(name, name, getattr(record, name), ranges)
@@ -199,9 +199,9 @@ def _shown(value: float) -> str:
 def _meant(value: float, allowed: Range, unit: str) -> str:
     for other, factor, offset in MISTAKEN.get(unit, ()):
         try:
-            meant = value * factor + offset
+            converted = value * factor + offset
         except OverflowError:
             continue
-        if meant and allowed.holds(meant):
-            return say("; did you mean {}? Then write {:.6g}", Sentence(other), meant)
+        if converted and allowed.holds(converted):
+            return say("; did you mean {}? Then write {:.6g}", Sentence(other), converted)
     return ""

@@ -1,4 +1,4 @@
-"""Read a small file that somebody named, whatever it turns out to be: bounded in size and time."""
+"""Read a small file by a given path, whatever it is: bounded in size and time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.texts import say
 
 LARGEST_BYTES = 16 << 20  # far beyond a file that a person writes
-PATIENCE_S = 5.0  # a network folder that hangs answers later or never
+PATIENCE_S = 5.0  # a hanging network folder answers later or never
 HANGING_READS = 8
 """Reads that may hang at once, in a folder that does not answer, before more are refused."""
 
@@ -24,12 +24,12 @@ _hanging = threading.BoundedSemaphore(HANGING_READS)
 
 
 def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
-    """Return the bytes of a file or of a pipe that somebody writes into.
+    """Return the bytes of a file or of a pipe that another process writes into.
 
     Raises UnusableInput for what is neither, is larger than ``largest`` or does not come within
     PATIENCE_S; OSError as ``open`` does.
     """
-    # In a thread of its own: a folder that is not reachable hangs whoever looks at it.
+    # In a thread of its own: access to an unreachable folder hangs.
     result: list[bytes | BaseException] = []
 
     def run() -> None:
@@ -71,7 +71,7 @@ def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
 
 
 def _read(path: Path, largest: int) -> bytes:
-    """Read without ever waiting for somebody to open the other end."""
+    """Read without ever waiting for the other end to be opened."""
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
     try:
         mode = os.fstat(descriptor).st_mode

@@ -1,4 +1,4 @@
-"""The test file (recipe): how long, how fast, what to keep, when to stop, what to compare with."""
+"""The test file (recipe): length, speed, kept cycles, limits, stop criteria, prediction."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
 
 MOST_STEPS = 1000
-"""More are written by no hand; they would only make each look at the sequence slow."""
+"""Nobody writes more by hand; they would slow down each use of the sequence."""
 
 
 class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -53,7 +53,7 @@ class RunSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class MetadataSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[metadata]: what a reader of the file needs to know."""
+    """[metadata]: information for readers of the file."""
 
     operator: str = ""
     specimen: str = ""
@@ -90,7 +90,7 @@ class LimitRule(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[limits]: what is always watched, and rules of one's own."""
+    """[limits]: the limits of every test, and the user's rules."""
 
     overload_N: Annotated[float, FORCE_N] = 380.0
     overspeed_rpm: Annotated[float, within(0.1, 5000.0)] = 700.0
@@ -99,7 +99,7 @@ class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[stop]: what ends the test before its last revolution; the first that is met, any of them.
+    """[stop]: criteria that end the test before its last revolution; the first one that is met.
 
     A level must be passed in so many judged revolutions in a row as the key beside it says.
     """
@@ -125,7 +125,7 @@ class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class PriorSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[prediction.prior]: the wear coefficient as tests of the same pairing tell it beforehand.
+    """[prediction.prior]: the wear coefficient by earlier tests of the same pairing.
 
     ln K is normal about that of the key. ``rigapp identify`` prints all three.
     """
@@ -147,7 +147,7 @@ class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
 
 
 MOST_TILES, MOST_PLOTS = 12, 6
-"""Of a page of one's own: more are no page that is read at a glance."""
+"""Of the operator's own page: more cannot be read at a glance."""
 
 
 class ViewSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -1,4 +1,4 @@
-"""``report.toml``: who made a report and for whom, the laboratory's own words and logo."""
+"""``report.toml``: author and customer of a report, the laboratory's texts and logo."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 
 FIELDS: Final = ("file", "title", "specimen", "date")
-"""What a report number may be made of, each in braces."""
+"""The placeholders of a report number, each in braces."""
 
 
 class LaboratorySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[laboratory]: what stands at the head of a report. logo: a PNG or JPEG beside this file."""
+    """[laboratory]: the head of a report. logo: a PNG or JPEG beside this file."""
 
     name: str = ""
     address: str = ""
@@ -40,7 +40,7 @@ class ReportFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def report_number(pattern: str, values: Mapping[str, str]) -> str:
-    """Return a report's number; raise UnusableInput for a pattern with another name in braces."""
+    """Return a report's number; raise UnusableInput for a pattern with another placeholder."""
     try:
         return pattern.format_map({name: values[name] for name in FIELDS})
     except (KeyError, IndexError, ValueError, AttributeError) as error:

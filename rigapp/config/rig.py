@@ -1,4 +1,4 @@
-"""The rig file: devices, which of their inputs carries what, and the linear calibration."""
+"""The rig file: devices, the assignment of their inputs, and the linear calibration."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ SIMULATED = "simulated"
 
 
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[simulation.plant]: how the simulated rig differs from the model, each by how much.
+    """[simulation.plant]: the differences of the simulated rig from the model.
 
-    keys.toml explains each. Running-in and change go by depth, so that a resumed test goes on the
-    same. What follows wear_change_depth_um is off by default: examples/harsh.toml has all of it.
+    keys.toml explains each. Running-in and change depend on the depth, so that a resumed test goes
+    on the same. Keys after wear_change_depth_um are off by default: examples/harsh.toml has all.
     bushing_creep_um_per_decade: after the first minute.
     """
 
@@ -69,7 +69,7 @@ class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class SimulationSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[simulation]: of the devices that are simulated; refused in a file without any."""
+    """[simulation]: of the simulated devices; refused in a file without any."""
 
     seed: Annotated[int, within(0, 2**63 - 1)] = 1
     speed: Annotated[float, within(0.001, 10_000.0)] | Literal["max"] = 1.0
@@ -90,7 +90,7 @@ class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def simulated(self) -> bool:
-        """Tell whether the device is a program; nothing but its port decides that."""
+        """Return whether the device is simulated, which its port alone decides."""
         return self.port == SIMULATED
 
 
@@ -200,7 +200,7 @@ class ChannelSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class RecordsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[records]: whose calibration records are used.
+    """[records]: the laboratories whose calibration records are used.
 
     Files relative to the rig file. Empty: records need no signature.
     """
@@ -248,10 +248,10 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def simulated_samples(self) -> bool:
-        """Tell whether the samples are simulated: then their time need not be the clock's."""
+        """Return whether the samples are simulated: then their time need not be the clock's."""
         return self.devices[self.encoder.device].simulated
 
     @property
     def simulated(self) -> bool:
-        """Tell whether nothing real turns: drive and data acquisition are simulated."""
+        """Return whether nothing real turns: drive and data acquisition are simulated."""
         return self.simulated_samples and self.devices[self.spindle.device].simulated

@@ -1,4 +1,4 @@
-"""The rules of ``[[limits.rule]]``: what they can be about, and when they contradict themselves."""
+"""The rules of ``[[limits.rule]]``: their quantities and contradictions."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from rigapp.schema.criteria import CRITERIA
 from rigapp.texts import joined, say
 
 NAME = re.compile(r"[a-z][a-z0-9_]*")
-"""What a channel may be called, and so what its columns look like."""
+"""Pattern of a channel's name, and so of its columns."""
 
 _NOT_LIMITED = {"revolution", "time", "host_time"}
 
 
 @functools.cache
 def quantities(table: ChannelTable) -> dict[str, str]:
-    """Return what a rule can be about, with its unit: statistics of a revolution, the twin's wear.
+    """Return the quantities of a rule, with units: statistics of a revolution, the twin's wear.
 
-    A name that both have (``force_max``) means what was measured.
+    A name that both have (``force_max``) means the measured one.
     """
     columns = (*prediction_columns(), *table.revolution_columns)
     return {column.name: column.unit for column in columns if column.name not in _NOT_LIMITED}
@@ -51,7 +51,7 @@ def check_rules(
 def level_refusal(
     quantity: str, level: str, value: object, table: ChannelTable | None = None
 ) -> str:
-    """Return what is wrong with a level of a rule on a quantity; empty when it is right."""
+    """Return the fault of a level of a rule on a quantity; empty when it is right."""
     unit = quantities(table or BASE).get(quantity, "")
     allowed = LEVELS.get(unit, OTHER_LEVEL)
     return refusal(level, value, allowed, "" if unit == "1" else unit)
@@ -93,11 +93,11 @@ ALWAYS: Final[Mapping[str, AlwaysLimit]] = {
         "stale_data",
     ),
 }
-"""What is always watched, beside the rules, by its key in ``[limits]``."""
+"""The limits of every test, beside the rules, by their key in ``[limits]``."""
 
 
 def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -> str:
-    """Return what is wrong with the value of a limit or level of that name; empty when right."""
+    """Return the fault of the value of a limit or level of that name; empty when right."""
     if name in ALWAYS:
         return refusal(f"limits.{name}", value)
     quantity, _, level = name.partition(".")
@@ -106,7 +106,7 @@ def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -
 
 
 def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
-    """Yield what is wrong with a rule; table as in ``check_rules``."""
+    """Yield the faults of a rule; table as in ``check_rules``."""
     known = quantities(table or BASE)
     if rule.quantity not in known and (
         table is not None or rule.quantity in BASE.names or not NAME.fullmatch(rule.quantity)

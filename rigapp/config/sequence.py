@@ -1,8 +1,8 @@
-"""The steps of a test: which one a revolution belongs to, how fast it is, how long it takes.
+"""The steps of a test: the step of a revolution, its speed, its duration.
 
 A test without ``[[run.step]]`` is a sequence of one step. After the last step the sequence goes on
 with ``repeat_from_step`` until the planned revolutions are made, so that the step of a revolution
-follows from its number alone: a resumed test and an extended one go on as they would have.
+follows from its number alone, also in a resumed or extended test.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from rigapp.texts import say
 
 @dataclass(frozen=True, slots=True)
 class StepPlace:
-    """One step where it stands in a test.
+    """One step at its position in a test.
 
     step: its number in the file, from 1; 0 in a test without steps. first, last: its revolutions.
-    rest_s: how long the crank stands after the last one.
+    rest_s: rest of the crank after the last one.
     """
 
     step: int
@@ -42,8 +42,8 @@ class StepPlace:
 class Sequence:
     """All steps of a test.
 
-    ends: last revolution of each step when it comes first. loop_from, loop: behind so many
-    revolutions come those that are repeated, and how many they are.
+    ends: last revolution of each step in the first pass. loop_from, loop: number of revolutions
+    before the repeated ones, and of the repeated ones.
     """
 
     def __init__(self, run: RunSection) -> None:
@@ -61,7 +61,7 @@ class Sequence:
 
     @property
     def count(self) -> int:
-        """Return how many steps the file names, 0 for none."""
+        """Return the number of steps in the file, 0 for none."""
         return len(self._steps) if self._numbered else 0
 
     @property
@@ -71,7 +71,7 @@ class Sequence:
 
     @property
     def again(self) -> int:
-        """Return the step with which it goes on after the last one."""
+        """Return the step that follows the last one."""
         return self._run.repeat_from_step
 
     @property
@@ -81,7 +81,7 @@ class Sequence:
 
     @property
     def fastest_key(self) -> str:
-        """Return the key that says the highest speed, as a sentence names it."""
+        """Return the key of the highest speed, for a sentence."""
         step = max(self._steps, key=self._speed)
         own = self._numbered and step.speed_rpm is not None
         return say("run.step {} speed_rpm", self._steps.index(step) + 1) if own else "run.speed_rpm"
@@ -120,7 +120,7 @@ class Sequence:
             first = stage.last + 1
 
     def seconds(self, first: int, last: int) -> float:
-        """Return how long some revolutions take with the rests between them, without ramps."""
+        """Return the duration of some revolutions with the rests between them, without ramps."""
         if first > last:
             return 0.0
         start = min(last, max(first, self.loop_from + 1))

@@ -1,4 +1,4 @@
-"""Parse TOML that somebody wrote: what lies too deep would use up stack or memory."""
+"""Parse TOML from users; deep nesting is refused, since it would use up stack or memory."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _TYPOGRAPHIC: Final = re.compile("[\u201c\u201d\u201e\u2018\u2019\u201a\u00ab\u0
 
 
 def _likely_cause(text: str) -> Sentence | str:
-    """Return what in a text that cannot be read a word processor or a habit has put there."""
+    """Return the likely cause in an unreadable text, as quotes of a word processor."""
     for number, line in enumerate(text.splitlines(), 1):
         if _DECIMAL_COMMA.match(line):
             return say(" Line {} has a decimal comma; write a point.", number)
@@ -55,7 +55,7 @@ def _likely_cause(text: str) -> Sentence | str:
 
 
 def _in_words(error: Exception) -> Sentence:
-    """Return what the reader of TOML says, with the place that it names as values."""
+    """Return the error of the TOML parser, with line and column as values."""
     at = re.fullmatch(r"(.+) \(at line (\d+), column (\d+)\)", str(error))
     if at:
         return say("{} (at line {}, column {})", Sentence(at[1]), at[2], at[3])
@@ -66,7 +66,7 @@ def _in_words(error: Exception) -> Sentence:
 
 
 def toml_text(record: Any) -> str:
-    """Return a record, or nested tables, as TOML; what is None is left out."""
+    """Return a record, or nested tables, as TOML; None is left out."""
     import tomlkit
 
     return tomlkit.dumps(_stated(tree_of(record)))
@@ -81,7 +81,7 @@ def _stated(tree: Any) -> Any:
 
 
 def _depth(text: str) -> int:
-    """Return how deep brackets or dotted keys go at most; what stands in quotes does not count."""
+    """Return the largest depth of brackets or dotted keys; quoted text does not count."""
     depth = deepest = 0
     for line in _TEXTS.sub("_", text).splitlines():
         for mark in re.findall(r"[][{}]", line):

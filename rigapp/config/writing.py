@@ -1,4 +1,4 @@
-"""Write a file whole or not at all: a reader sees the former one or the new one, never half."""
+"""Write a file completely or not at all: readers get the former or the new one, never half."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 
 
 def part_name(name: str) -> str:
-    """Return the hidden name of a file that is being written, which nobody can lay a link at."""
+    """Return the hidden, unpredictable name of a file that is being written."""
     return f".{name}.part-{os.getpid()}-{secrets.token_hex(4)}"
 
 
 def place_of(target: Path) -> Path:
-    """Return where a file is written: through a link, unless others could have laid it there."""
+    """Return where a file is written: through a link, unless other users could have made it."""
     folder = target.parent.resolve()
     if os.name == "posix" and folder.is_dir() and folder.stat().st_mode & _OTHERS_WRITE:
         return folder / target.name
@@ -33,10 +33,10 @@ def whole_file(
 ) -> Iterator[Path]:
     """Yield the name of a hidden file beside the target that takes its place once it is written.
 
-    It is on the disk before it gets the name. A link is followed, in a folder that others can write
-    it is replaced. name: how a sentence calls the target. new: a target
-    that is there is not replaced. mode: permissions, by default those of a file that is replaced.
-    Raises UnusableInput naming the target, which is then as it was.
+    It is on the disk before it gets the name. A link is followed; in a folder that others can write
+    it is replaced. name: of the target in a sentence. new: an existing target is not replaced.
+    mode: permissions, by default those of a file that is replaced. Raises UnusableInput naming the
+    target, which is then unchanged.
     """
     path = place_of(target)
     part = path.with_name(part_name(path.name))
@@ -62,5 +62,5 @@ def whole_file(
 
 
 def harmless(text: str) -> str:
-    """Return a text as a cell that a spreadsheet shows: what begins as a formula gets a quote."""
+    """Return a text as a cell of a spreadsheet: a formula gets a quote before it."""
     return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") and text else text

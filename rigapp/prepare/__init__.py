@@ -1,4 +1,4 @@
-"""What happens once on a machine or in a folder before the first start, and what it starts from.
+"""Work done once on a machine or in a folder before the first start.
 
 System libraries, compiled kernels, example files, the files of a new rig.
 Others enter by ``shipped``, ``kernels``, ``folders``, ``real_rig``, ``schemas``.

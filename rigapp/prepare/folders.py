@@ -1,4 +1,4 @@
-"""Folders with files to start from: written whole or not at all, nothing overwritten."""
+"""Folders with files to start from: written completely or not at all, nothing overwritten."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.prepare.shipped import RIG, TEST
 from rigapp.texts import joined, say
 
 NEW_NAMES = {RIG: "rig.toml", TEST: "test.toml"}
-"""What the examples are called where they are somebody's own, also inside of the other files."""
+"""New names of the examples in a user's folder, also inside of the other files."""
 
 ABOUT = {
     "rig.toml": "the rig: the simulated one",
@@ -26,9 +26,9 @@ ABOUT = {
 
 @dataclass(frozen=True, slots=True)
 class StartingFile:
-    """One file to start from: its place below the new folder, and its text."""
+    """One file to start from: its path below the new folder, and its text."""
 
-    place: Path
+    path: Path
     text: str
 
 
@@ -42,7 +42,7 @@ def write_files(folder: Path, files: list[StartingFile]) -> None:
 
 
 def starting_files(examples: Path) -> Iterator[StartingFile]:
-    """Yield the files that a folder starts with, their names and what they call each other new."""
+    """Yield the files of a new folder, with new names in the texts too."""
     for source in _sources(examples):
         path = source.relative_to(examples)
         text = read_text(source)
@@ -65,22 +65,22 @@ def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
     for path in (folder, *(folder / name for name in ("calibration", "notebooks"))):
         if os.path.lexists(path) and not path.is_dir():
             raise UnusableInput("{}: is no folder; nothing is written, name another folder.", path)
-    there = [str(file.place) for file in files if os.path.lexists(folder / file.place)]
-    if there:
-        names = joined(", ", there)
+    existing = [str(file.path) for file in files if os.path.lexists(folder / file.path)]
+    if existing:
+        names = joined(", ", existing)
         raise UnusableInput(
             "{}: {} already; nothing is written, as nothing is overwritten. Name another folder,"
             " or move what is there.",
             folder,
-            say("{} exists", names) if len(there) == 1 else say("{} exist", names),
+            say("{} exists", names) if len(existing) == 1 else say("{} exist", names),
         )
 
 
 def _write(folder: Path, files: list[StartingFile]) -> None:
-    """Write all files, or take back what was written."""
+    """Write all files, or remove those written."""
     with ExitStack() as undo:
         for file in files:
-            target = folder / file.place
+            target = folder / file.path
             _make_folder(target.parent, undo)
             with whole_file(target, new=True) as part:
                 part.write_text(file.text, encoding="utf-8")
@@ -89,7 +89,7 @@ def _write(folder: Path, files: list[StartingFile]) -> None:
 
 
 def _make_folder(folder: Path, undo: ExitStack) -> None:
-    """Make a folder with those above it; remember to remove them, where they are empty then."""
+    """Make a folder with its parents; on failure they are removed again, if empty."""
     missing = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)

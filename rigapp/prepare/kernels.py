@@ -20,17 +20,17 @@ from typing import Any
 
 PACKAGES = ("rigapp_model", "rigapp", "rigapp_drivers", "rigapp_calibration")
 COMPILERS = ("numba", "rigapp_model.compiled")
-"""Modules that make compiled functions; whoever imports one of them may have some."""
+"""Modules that make compiled functions; a module that imports one of them may have some."""
 
 NO_KERNELS = ("rigapp_model.compiled", "rigapp.prepare.kernels")
-"""Modules that only handle those of others."""
+"""Modules that only handle kernels of others."""
 
-WORTH_TELLING_S = 1.0  # what is loaded from the cache takes less
+WORTH_TELLING_S = 1.0  # loading from the cache takes less
 CACHED = (".nbi", ".nbc")
 
 
 def kernel_modules() -> Iterator[str]:
-    """Yield the dotted name of each module that imports what compiles functions."""
+    """Yield the dotted name of each module that imports a compiler."""
     for package in PACKAGES:
         spec = importlib.util.find_spec(package)
         if spec is None or not spec.submodule_search_locations:
@@ -43,7 +43,7 @@ def kernel_modules() -> Iterator[str]:
 
 
 def may_compile(source: str) -> bool:
-    """Tell whether a module's source imports what compiles functions, under whatever name."""
+    """Return whether a module's source imports a compiler, under whatever name."""
     return any(name.rpartition(".")[2] in source for name in COMPILERS) and any(
         name == compiler or name.startswith(f"{compiler}.")
         for name in _imported(ast.parse(source))
@@ -72,7 +72,7 @@ def kernels_of(module: ModuleType) -> list[Any]:
 
 
 def remove_left_over(modules: Iterable[ModuleType]) -> int:
-    """Remove what the modules' caches hold of no present kernel; return how many files went."""
+    """Remove the modules' cached kernels that do not exist any more; return the number of files."""
     from rigapp_model.compiled import cache_name
 
     kernels = [kernel for module in modules for kernel in kernels_of(module)]

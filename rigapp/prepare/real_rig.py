@@ -1,4 +1,4 @@
-"""The files of a rig with real devices, and who answers on which port; no terminal, no window."""
+"""The files of a rig with real devices, and a search of ports; no terminal, no window."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driv
 from rigapp_drivers.wire.ports import BY_ID, stable_name
 
 NO_PORT: Final = "/dev/serial/by-id/NOT-FOUND-YET"
-"""Written where no port is known: no device has that name, and check says so."""
+"""Written where no port is known: no device has that name, which check reports."""
 
 _CAN_TYPE: Final = "280"
 _CAN_NETWORK: Final = re.compile(r"v?can\d+")
@@ -36,7 +36,7 @@ _CAN_NETWORK: Final = re.compile(r"v?can\d+")
 
 @dataclass(frozen=True, slots=True)
 class Role:
-    """What a device of the rig file is for: its kind of driver, and what a question calls it."""
+    """The role of a device in the rig file: its kind of driver, and its name in a question."""
 
     kind: DriverKind
     words: str
@@ -46,7 +46,7 @@ ROLES: Final[Mapping[str, Role]] = {
     "daq": Role(DriverKind.DATA_SOURCE, say("data acquisition")),
     "drive": Role(DriverKind.SPINDLE, say("drive")),
 }
-"""Name of a device in the rig file -> what it is for."""
+"""Name of a device in the rig file -> its role."""
 
 WIRED: Final[Mapping[str, Mapping[str, Mapping[str, Any]]]] = {
     "gsv8": {
@@ -59,12 +59,12 @@ WIRED: Final[Mapping[str, Mapping[str, Mapping[str, Any]]]] = {
             "sample_rate_Hz": 960.0,
             "bridge_amplifiers": {"analog_1": 5.0, "analog_2": 5.0},
         },
-        # A DATAQ counts one edge of each line of a 3600-count encoder, and knows no index.
+        # A DATAQ counts one edge of each line of a 3600-count encoder, and has no index.
         "encoder": {"counts_per_revolution": 900, "restarts_at_index": False},
         "load_cell": {"range_mV_per_V": 2.0},
     },
 }
-"""What a box asks of the rig file that another one does not."""
+"""The entries of the rig file that a box needs beyond the common ones."""
 
 NOTES: Final[Mapping[str, str]] = {
     "load_cell.matrix_N_per_mV_per_V": "These are 400 N at a rated output of 2 mV/V; calibrate.",
@@ -88,7 +88,7 @@ ABOUT_REAL: Final[Mapping[str, str]] = {
     "calibration/run_out.toml": say("settings of the pin's run-out map"),
     "calibration/channel.toml": say("settings of another channel's calibration"),
 }
-"""Place of a file -> what it is."""
+"""Path of a file -> its description."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +102,9 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class FoundPort:
-    """A port of this computer: the name that it keeps, who is there in words.
+    """A port of this computer: its lasting name, and the device in words.
 
-    driver: of the device that answers, empty where none does or none was asked.
+    driver: of the device that answers, empty where none does or none was probed.
     """
 
     name: str
@@ -120,7 +120,7 @@ def drivers_of(role: str) -> dict[str, DriverInfo]:
 def search_ports() -> list[FoundPort]:
     """Return the ports with the devices that answer, these first; takes a second or two a port.
 
-    Only ports of USB devices themselves are asked: behind a UART adapter a motor controller may
+    Only ports of USB devices themselves are probed: behind a UART adapter a motor controller may
     take any byte for a speed.
     """
     drivers = _drivers()
@@ -163,7 +163,7 @@ def _kind_of(network: Path) -> str:
 
 
 def _drivers() -> list[DriverInfo]:
-    """Return the drivers that can be loaded; doctor tells of the others."""
+    """Return the drivers that can be loaded; doctor reports the others."""
     result = []
     for name in available_drivers():
         try:
@@ -174,7 +174,7 @@ def _drivers() -> list[DriverInfo]:
 
 
 def real_files(boxes: Sequence[Box]) -> list[StartingFile]:
-    """Return the files of a rig with these devices; they are read once, so that they are right."""
+    """Return the files of a rig with these devices; they are read once to check them."""
     examples = examples_folder()
     rig = "#:schema ./rig.schema.json\n" + commented(
         RigFile,
@@ -224,5 +224,5 @@ def rig_tree(boxes: Sequence[Box], simulated: Mapping[str, Any]) -> dict[str, An
 
 
 def lasting_name(port: str, folder: Path = BY_ID) -> str:
-    """Return the name under which a port is found again after a restart, or the port itself."""
+    """Return the name of a port that lasts after a restart, or the port itself."""
     return stable_name(port, folder) or port

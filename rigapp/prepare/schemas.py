@@ -1,4 +1,4 @@
-"""What a rig or test file may hold, as JSON Schema, for the editor in which it is written."""
+"""The JSON Schema of rig and test files, for an editor."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def schema_text(kind: str) -> str:
 
 
 def _settings() -> Mapping[str, Mapping[str, Any]]:
-    """Return the settings of each driver that can be loaded; doctor tells of the others."""
+    """Return the settings of each driver that can be loaded; doctor reports the others."""
     result = {}
     for name in available_drivers():
         try:

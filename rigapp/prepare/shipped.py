@@ -1,4 +1,4 @@
-"""Where examples and guides stand: beside the source, or where the installed package put them."""
+"""The folders of examples and guides: beside the source, or of the installed package."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TEST = "quick.toml"
 GUIDE = "operator.md"
 TROUBLESHOOTING = "troubleshooting.md"
 SHARED = Path("share/rigapp")
-"""Where ``pyproject.toml`` lets an installation put both, below its prefix."""
+"""Folder of both in an installation by ``pyproject.toml``, below its prefix."""
 
 
 def examples_folder() -> Path:
@@ -26,9 +26,9 @@ def guides_folder() -> Path:
 
 
 def _shipped(folder: str, file: str) -> Path:
-    """Return the folder in which a shipped file stands."""
+    """Return the folder of a shipped file."""
     source = Path(__file__).resolve().parents[2]
-    # Some other package may have put a folder "examples" beside an installed rigapp.
+    # Another package may have put a folder "examples" beside an installed rigapp.
     if (source / "pyproject.toml").is_file() and (source / folder / file).is_file():
         return source / folder
     for path in _installed((SHARED / folder / file).as_posix()):
@@ -43,7 +43,7 @@ def _shipped(folder: str, file: str) -> Path:
 
 
 def _installed(shared: str) -> list[Path]:
-    """Return where the installation says that it put a file."""
+    """Return the paths of a file by the record of the installation."""
     try:
         files = metadata.files("rigapp") or []
     except metadata.PackageNotFoundError:

@@ -1,8 +1,8 @@
-"""Install the system libraries that Qt needs, where that is possible; else name them.
+"""Install the system libraries that Qt needs, where possible; else name them.
 
 Runs before anything is installed, so it uses the standard library alone and is called by path:
-``python rigapp/prepare/system_libraries.py [--test]``. Never fails: what is missing is said in one
-sentence, and the command line works without it.
+``python rigapp/prepare/system_libraries.py [--test]``. Never fails: missing ones are named in one
+sentence, and the command line works without them.
 """
 
 from __future__ import annotations

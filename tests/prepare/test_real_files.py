@@ -31,7 +31,7 @@ def of_kind(kind: DriverKind) -> list[str]:
 @pytest.mark.parametrize("drive", of_kind(DriverKind.SPINDLE))
 def test_the_files_of_all_boxes_can_be_read(daq: str, drive: str, tmp_path: Path) -> None:
     boxes = [Box("daq", load_driver(daq), "/dev/ttyACM7"), Box("drive", load_driver(drive), "can0")]
-    files = {str(one.place): one.text for one in real_files(boxes)}
+    files = {str(one.path): one.text for one in real_files(boxes)}
     for name, text in files.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text, "utf-8")

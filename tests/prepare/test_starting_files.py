@@ -105,14 +105,14 @@ def test_what_was_written_is_taken_back_when_the_disk_refuses(
 def test_notebooks_are_copied_too(tmp_path: Path) -> None:
     source = tmp_path / "examples"
     for one in starting_files(EXAMPLES):
-        target = source / one.place
+        target = source / one.path
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(one.text)
     (source / "rig.toml").rename(source / "simulated.toml")
     (source / "test.toml").rename(source / "quick.toml")
     (source / "notebooks").mkdir(exist_ok=True)
     (source / "notebooks" / "look.ipynb").write_text('{"cells": ["run ../quick.toml"]}')
-    found = {str(one.place): one.text for one in starting_files(source)}
+    found = {str(one.path): one.text for one in starting_files(source)}
     assert found["notebooks/look.ipynb"] == '{"cells": ["run ../test.toml"]}'
 
 
@@ -163,9 +163,7 @@ def test_an_installation_holds_every_file() -> None:
     }
     old = {new: one for one, new in folders.NEW_NAMES.items()}
     for one in starting_files(EXAMPLES):
-        assert (
-            Path("examples") / one.place.with_name(old.get(one.place.name, one.place.name)) in held
-        )
+        assert Path("examples") / one.path.with_name(old.get(one.path.name, one.path.name)) in held
     guides = TOP / "docs"
     for one in [*guides.glob("*.md"), *(guides / "images").iterdir()]:
         assert one.relative_to(TOP) in held

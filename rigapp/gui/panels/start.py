@@ -395,7 +395,7 @@ class NewRigPage(QWidget):
         tell(self.told, "role", "")
         self.told.setText(tr("The files are in {}. Open the rig, then check it.", folder))
         self.files.show_rows(
-            [(str(one.place), translate(ABOUT_REAL[str(one.place)])) for one in files]
+            [(str(one.path), translate(ABOUT_REAL[str(one.path)])) for one in files]
         )
         self.files.show()
         self.open.show()
