@@ -1,4 +1,4 @@
-"""The papers of a calibration: the certificate of its record, and the worksheet before it.
+"""The documents of a calibration: the certificate of its record, and the worksheet before it.
 
 PDF or HTML, the same bytes each time. The certificate's contents follow ISO/IEC 17025:2017, 7.8.
 Everything in it comes from the record, nothing from the clock or the machine, so that anyone can
@@ -47,7 +47,7 @@ SURROUNDINGS = (
     ("Humidity", "humidity", "percent", "%"),
     ("Pressure", "pressure", "hPa", "hPa"),
 )
-"""What was around at the calibration: words, and the parts of the keys of the settings."""
+"""Ambient conditions of the calibration: words, and the parts of the keys of the settings."""
 EXPANDED = (
     "U is the expanded uncertainty: the standard uncertainty u times the coverage factor k, so that"
     " the value lies within U with a probability of about 95 % (JCGM 100 and 101). Type A:"
@@ -90,7 +90,7 @@ def write_certificate(record: Path, to: Path, issued: datetime.date | None = Non
 def certificate_of(
     record: Record, unverified: Sequence[str] = (), issued: datetime.date | None = None
 ) -> Manuscript:
-    """Compose the certificate of a record. unverified: what of it could not be verified."""
+    """Compose the certificate of a record. unverified: its parts that could not be verified."""
     content = record.content
     parts = subject_of(record.kind).certificate(content)
     sections = [
@@ -117,7 +117,7 @@ def certificate_of(
 
 
 def mark_of(record: Record) -> str:
-    """Return what every page must say: that it is a draft, or practice; empty for neither."""
+    """Return the mark of every page: a draft, or training; empty for neither."""
     paper = record.content["settings"]["paperwork"]
     marks = []
     if (record.content.get("taken") or {}).get("simulated"):
@@ -141,7 +141,7 @@ def _check_issue(record: Record, issued: datetime.date | None) -> None:
 
 
 def _item(content: Content) -> str:
-    """Return the name of what was calibrated: the one section of the settings that has a name."""
+    """Return the name of the calibrated item: one section of the settings has it."""
     sections = content["settings"].values()
     named = (
         str(section["name"])
@@ -173,7 +173,7 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
         ("Excitation, range, filter", _joined(paper["excitation"])),
         ("Date of calibration", content["calibrated_at"][:10]),
         ("Date of issue", day[:10]),
-        # Nobody agreed on an interval (ISO/IEC 17025, 7.8.4.3): the program uses it no longer.
+        # No interval was agreed (ISO/IEC 17025, 7.8.4.3): the program uses it no longer.
         ("Used by the program until", content["due_at"][:10]),
         ("As found", _as_found(content.get("as_found"))),
         ("Operator", _joined(paper["operator"] or str(taken.get("operator") or ""))),
@@ -186,7 +186,7 @@ def _identity(record: Record, issued: datetime.date | None) -> Table:
 
 
 def _as_found(comparison: Content | None) -> str:
-    """Return what the calibration found of the record in use until then."""
+    """Return the as-found result of the record in use until then."""
     if not comparison:
         return "not compared with a calibration before"
     changes = "; ".join(
@@ -208,7 +208,7 @@ def _signer(record: Record) -> str:
 
 
 def _notes(record: Record, unverified: Sequence[str]) -> Iterator[Text]:
-    """Yield all that must not be overlooked: the record's own notes, and what stands against it."""
+    """Yield the notes of a record, and the objections against it."""
     content = record.content
     if mark := mark_of(record):
         yield Text(f"{mark}.", strong=True)
@@ -224,7 +224,7 @@ def _notes(record: Record, unverified: Sequence[str]) -> Iterator[Text]:
 
 
 def _untraced(content: Content) -> Iterator[str]:
-    """Yield what the chain of calibrations lacks: no standard named, or one that had expired."""
+    """Yield the gaps in the chain of calibrations: no standard named, or one that had expired."""
     day, settings = str(content["calibrated_at"])[:10], content["settings"]
     pieces = settings.get("weights", {}).get("piece", ())
     known = [*pieces, *settings.get("standard", ())]
@@ -261,7 +261,7 @@ def _surroundings(settings: Content) -> Iterator[Row]:
 
 
 def _standards(settings: Content) -> Table:
-    """Return what was measured with: each with its certificate, due date and uncertainty."""
+    """Return the standards, each with its certificate, due date and uncertainty."""
     rows: list[Row] = [
         (
             f"{standard['name']}, {standard['mass_kg']:g} kg",
@@ -297,27 +297,27 @@ LEVEL_FIRST = (
 )
 
 
-def write_worksheet(plan: str, weights: str, given: LoadCellFile, to: Path) -> int:
+def write_worksheet(plan: str, weights: str, file: LoadCellFile, to: Path) -> int:
     """Write the worksheet of a plan as PDF, HTML or CSV; return the number of readings.
 
     weights: the pieces, as ``parse_pieces`` takes them. Raises UnusableInput.
     """
     if plan == "daily":
-        kinds = ", ".join(one for one in PLANS if one != plan)
+        kinds = ", ".join(name for name in PLANS if name != plan)
         raise UnusableInput("--plan daily: a daily check makes no record; choose {}.", kinds)
-    steps = load_cell_plan({"plan": plan, "weights": weights}, given).steps()
+    steps = load_cell_plan({"plan": plan, "weights": weights}, file).steps()
     if to.suffix.lower() == ".csv":
         with whole_file(to, new=True) as part:
-            part.write_text(_table(steps, given), encoding="utf-8", newline="")
+            part.write_text(_table(steps, file), encoding="utf-8", newline="")
     else:
-        write_page(to, "worksheet", lambda: _page(steps, plan, given))
-    return sum(one.kind is StepKind.READING for one in steps)
+        write_page(to, "worksheet", lambda: _page(steps, plan, file))
+    return sum(step.kind is StepKind.READING for step in steps)
 
 
-def _table(steps: tuple[Step, ...], given: LoadCellFile) -> str:
+def _table(steps: tuple[Step, ...], file: LoadCellFile) -> str:
     """Return a table of readings whose angles and signals are empty, instructions as comments."""
     stream = io.StringIO()
-    for words in (f"{given.cell.name}. {TYPED_IN}", LEVEL_FIRST):
+    for words in (f"{file.cell.name}. {TYPED_IN}", LEVEL_FIRST):
         stream.write(f"# {words}\n")
     lines = csv.writer(stream, lineterminator="\n")
     lines.writerow((*LOAD_CELL_COLUMNS, HUNG_COLUMN))
@@ -329,24 +329,24 @@ def _table(steps: tuple[Step, ...], given: LoadCellFile) -> str:
     return stream.getvalue()
 
 
-def _page(steps: tuple[Step, ...], plan: str, given: LoadCellFile) -> Manuscript:
-    paper = given.paperwork
+def _page(steps: tuple[Step, ...], plan: str, file: LoadCellFile) -> Manuscript:
+    paper = file.paperwork
     facts: tuple[Row, ...] = (
-        ("Item", given.cell.name),
-        ("Serial number", given.cell.serial_number or paper.serial_number),
+        ("Item", file.cell.name),
+        ("Serial number", file.cell.serial_number or paper.serial_number),
         ("Amplifier, cable", ", ".join(filter(None, (paper.amplifier, paper.cable)))),
         ("Date, operator", ""),
         ("Temperature, humidity, pressure at the begin", ""),
         ("Temperature, humidity, pressure at the end", ""),
     )
-    unit = given.cell.signal_unit
+    unit = file.cell.signal_unit
     header = (
         "Series, step", "What to do", "Wait, s", "Angle, degrees",
         f"Signal 1, {unit}", f"Signal 2, {unit}",
     )  # fmt: skip
     return Manuscript(
-        title=f"Worksheet of a calibration: {given.cell.name}, {plan} plan",
-        footer=f"{given.cell.name}, {plan} plan",
+        title=f"Worksheet of a calibration: {file.cell.name}, {plan} plan",
+        footer=f"{file.cell.name}, {plan} plan",
         sections=(
             Section("", (Table("Identification", facts), Text(TYPED_IN), Text(LEVEL_FIRST))),
             Section("Readings", (Table("In this order", tuple(_rows(steps)), header),)),

@@ -1,4 +1,4 @@
-"""What the calibration of a free channel prints and its record keeps, and the same in words."""
+"""The result of a free channel's calibration: for ``--json`` and the record, and in words."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def fit_channel(text: str, file: ChannelFile, where: str, which: str) -> Outcome
 
 
 def _result(calibration: ChannelCalibration, file: ChannelFile) -> dict[str, Any]:
-    """Return what ``--json`` prints and the record keeps; ``value`` in a key: in ``unit``."""
+    """Return the result for ``--json`` and the record; ``value`` in a key: in ``unit``."""
     table = None
     if calibration.points is not None and calibration.scale is None:
         table = calibration.points.T.tolist()

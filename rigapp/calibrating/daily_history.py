@@ -1,4 +1,4 @@
-"""The store of the daily checks and what its control charts say: append-only, each line chained.
+"""The store of the daily checks and its control charts: append-only, each line chained.
 
 And the trend of calibrations: sensitivities with their U over the years, as a document.
 """
@@ -36,7 +36,7 @@ MOST_LINES = 20
 
 @dataclass(frozen=True, slots=True)
 class Charted:
-    """What of a check is charted: its words, what the calibration promises; of the zero, N."""
+    """A charted value of a check: its words, the limit by the calibration; of the zero, N."""
 
     words: str
     promised: float = 0.0
@@ -53,7 +53,7 @@ CHARTED: Mapping[str, Charted] = {
     "zero_1_N": Charted(say("Zero of axis 1"), of_zero=True),
     "zero_2_N": Charted(say("Zero of axis 2"), of_zero=True),
 }
-"""Means over the angles first; files of before have only these."""
+"""Means over the angles first; older files have only these."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +68,14 @@ class DailyHistory:
     def findings(self) -> tuple[tuple[str, ChartFinding], ...]:
         """Return (name of the chart, finding)."""
         return tuple(
-            (CHARTED[name].words, one)
-            for name, found in self.charts.items()
-            for one in found.findings
+            (CHARTED[name].words, finding)
+            for name, chart in self.charts.items()
+            for finding in chart.findings
         )
 
     @property
     def in_control(self) -> bool:
-        """Tell whether the last check is passed and no rule asks for action."""
+        """Return whether the last check is passed and no rule requires action."""
         passed = bool(self.entries[-1]["passed"])
         return passed and not any(finding.action for _, finding in self.findings)
 
@@ -88,7 +88,7 @@ def entry_of(
     uncertainty_N: tuple[float, float] | None,
     source: str,
 ) -> dict[str, Any]:
-    """Return what the store keeps of a check; the expanded uncertainty as a share of the weight."""
+    """Return the entry of a check in the store; expanded uncertainty as a share of the weight."""
     weight = check.weight
     share = None if uncertainty_N is None else (uncertainty_N[0] + uncertainty_N[1] * weight)
     return {
@@ -120,7 +120,7 @@ def entry_of(
 
 
 def judged_by(check: DailyCheck) -> dict[str, Any]:
-    """Return by which rule a check was judged: U along, across and of the zero, N, and in words."""
+    """Return the rule that judged a check: U along, across and of the zero, N, and in words."""
     names = ("along", "across", "zero")
     return {
         "expanded_uncertainty_N": dict(zip(names, check.expanded, strict=True)),
@@ -152,16 +152,16 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
     if not events:
         raise UnusableInput("{}: there are no daily checks yet; take one first.", store)
     wanted = rig or events[-1]["rig"]
-    mine = [event for event in events if event["rig"] == wanted]
-    if not mine:
+    checks = [event for event in events if event["rig"] == wanted]
+    if not checks:
         raise UnusableInput("{}: there is no daily check of the rig {}.", store, repr(wanted))
-    used = mine[-1]["calibration"]
-    entries = tuple(takewhile(lambda event: event["calibration"] == used, reversed(mine)))[::-1]
-    return DailyHistory(entries, len(mine) - len(entries), _charts(entries))
+    used = checks[-1]["calibration"]
+    entries = tuple(takewhile(lambda event: event["calibration"] == used, reversed(checks)))[::-1]
+    return DailyHistory(entries, len(checks) - len(entries), _charts(entries))
 
 
 def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
-    """Return the charts of what the last check tells; a zero is judged by what is allowed."""
+    """Return the charts of the last check's values; a zero is judged by its allowed range."""
     last = entries[-1]
     charts = {}
     for name, charted in CHARTED.items():
@@ -173,7 +173,7 @@ def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
             charts[name] = Chart(np.array(values), charted.promised, last["zero_allowed_N"])
         else:
             judged = chart(values, charted.promised, last["expanded_uncertainty_ratio"])
-            # A level that is off shows in all of them: the check itself says so, the cell is right.
+            # A level that is off shows in all of them: the check reports it, the cell is right.
             charts[name] = replace(judged, findings=()) if last.get("turned_deg") else judged
     return charts
 
@@ -200,37 +200,37 @@ def _digest(body: Mapping[str, Any]) -> str:
 
 
 def history_result(history: DailyHistory) -> dict[str, Any]:
-    """Return what ``--json`` prints."""
+    """Return the result for ``--json``."""
     return {
         "in_control": history.in_control,
         "earlier_checks": history.earlier,
         "findings": [
-            {"chart": name, "code": one.code, "sentence": one.sentence, "action": one.action}
-            for name, one in history.findings
+            {"chart": name, "code": f.code, "sentence": f.sentence, "action": f.action}
+            for name, f in history.findings
         ],
         "checks": [
             {
-                key: one[key]
+                key: entry[key]
                 for key in ("time", "operator", "passed", *CHARTED, "largest_N")
-                if key in one
+                if key in entry
             }
-            for one in history.entries
+            for entry in history.entries
         ],
         "charts": {
             name: {
-                "promised": one.promised,
-                "expanded_uncertainty": one.expanded,
-                "centre": one.centre,
-                "standard_deviation": one.sigma,
-                "limits": one.limits,
+                "promised": chart.promised,
+                "expanded_uncertainty": chart.expanded,
+                "centre": chart.centre,
+                "standard_deviation": chart.sigma,
+                "limits": chart.limits,
             }
-            for name, one in history.charts.items()
+            for name, chart in history.charts.items()
         },
     }
 
 
 def history_lines(history: DailyHistory) -> list[str]:
-    """Return the newest checks as a table, and what the charts say."""
+    """Return the newest checks as a table, and the verdict of the charts."""
     return [
         say("when (UTC)         sensitivity  cross-talk   largest N  verdict  operator"),
         *(
@@ -244,7 +244,7 @@ def history_lines(history: DailyHistory) -> list[str]:
 
 
 def verdict_lines(history: DailyHistory) -> list[str]:
-    """Return what the charts say, in sentences."""
+    """Return the verdict of the charts, in sentences."""
     count = len(history.entries)
     lines: list[str] = [say("{}: {}", name, finding.sentence) for name, finding in history.findings]
     last = history.entries[-1]
@@ -313,7 +313,7 @@ def chart_document(history: DailyHistory) -> Manuscript:
 
 
 def draw(history: DailyHistory, words: str = "") -> Figure:
-    """Return the charts. words: for who cannot see them."""
+    """Return the charts. words: their text alternative."""
     from matplotlib.figure import Figure as Canvas
     from matplotlib.ticker import MaxNLocator
 
@@ -346,9 +346,9 @@ def draw(history: DailyHistory, words: str = "") -> Figure:
 
 
 Item = tuple[str, str, Sequence[tuple[Record, Sequence[Change]]]]
-"""Kind, name, and the records, oldest first, each with what it found of the one before."""
+"""Kind, name, and the records, oldest first, each with its as-found changes."""
 MOST_TICKS = 6
-"""Dates that have room beside each other below a chart."""
+"""Dates that fit beside each other below a chart."""
 
 
 def write_trend(items: Sequence[Item], to: Path) -> None:
@@ -357,7 +357,7 @@ def write_trend(items: Sequence[Item], to: Path) -> None:
 
 
 def trend_document(items: Sequence[Item]) -> Manuscript:
-    """Compose the page: of each item its charts, and what each record found of the one before."""
+    """Compose the page: of each item its charts, and the as-found changes of each record."""
     return Manuscript(
         title="Trend of calibrations",
         footer="Trend of calibrations",
@@ -376,16 +376,16 @@ def _blocks(records: Sequence[tuple[Record, Sequence[Change]]]) -> list[Block]:
         "Records",
         tuple(
             (
-                str(one.content["calibrated_at"])[:10],
-                one.number,
+                str(record.content["calibrated_at"])[:10],
+                record.number,
                 "; ".join(change.words for change in changes) or "nothing to compare",
             )
-            for one, changes in records
+            for record, changes in records
         ),
         ("calibrated", "record", "as found"),
     )
-    by_record = [(one, outputs(one.kind, one.content["result"])) for one, _ in records]
-    names = list(dict.fromkeys(output.what for _, found in by_record for output in found))
+    by_record = [(record, outputs(record.kind, record.content["result"])) for record, _ in records]
+    names = list(dict.fromkeys(output.what for _, parts in by_record for output in parts))
     if not names:
         return [Text("Records of this kind state no sensitivity with its U: no chart."), table]
     return [*(_chart(name, by_record) for name in names), table]
@@ -393,12 +393,12 @@ def _blocks(records: Sequence[tuple[Record, Sequence[Change]]]) -> list[Block]:
 
 def _chart(name: str, by_record: Sequence[tuple[Record, Sequence[Output]]]) -> Figure:
     """Return the values of one sensitivity over the dates, with bars of U."""
-    points = [(one, output) for one, found in by_record for output in found if output.what == name]
+    points = [(record, part) for record, parts in by_record for part in parts if part.what == name]
     values = [output.value for _, output in points]
     bars = [output.expanded for _, output in points]
     days = [
-        datetime.datetime.fromtimestamp(moment(str(one.content["calibrated_at"])), datetime.UTC)
-        for one, _ in points
+        datetime.datetime.fromtimestamp(moment(str(record.content["calibrated_at"])), datetime.UTC)
+        for record, _ in points
     ]
     colour, marker, _ = STYLES[0]
     with canvas_of(2.3) as canvas:

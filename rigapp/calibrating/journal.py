@@ -1,4 +1,4 @@
-"""The journal of a calibration under way: every event on the disk before it counts."""
+"""The journal of a calibration under way: every event is on the disk before it counts."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from rigapp.texts import say
 class Journal:
     """Append events as JSON lines, each forced to the disk; one writer at a time.
 
-    A last line without its end was cut off while it was written; nobody was told that it was saved,
-    and it is removed when the journal is taken up.
+    A last line without its end was cut off while it was written and never confirmed; it is removed
+    when the journal is resumed.
     """
 
     def __init__(self, path: Path) -> None:
@@ -73,7 +73,7 @@ class Journal:
             ) from error
 
     def close(self) -> None:
-        """Let the journal go; safe to call twice."""
+        """Close the journal; safe to call twice."""
         if self._file >= 0:
             os.close(self._file)
             self._file = -1

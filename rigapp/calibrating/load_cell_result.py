@@ -1,4 +1,4 @@
-"""What a load-cell calibration prints and its record keeps, and the same in words."""
+"""The result of a load-cell calibration: for ``--json`` and the record, and in words."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Result = dict[str, Any]
 
 
 def load_cell_result(calibration: LoadCellCalibration, settings: LoadCellSettings) -> Result:
-    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    """Return the result for ``--json`` and the record, units in the keys."""
     fit, traits = calibration.fit, calibration.traits
     budget, zero = calibration.budget, calibration.zero
     problems = (*calibration.problems, *_too_uncertain(calibration, settings))
@@ -48,15 +48,15 @@ def load_cell_result(calibration: LoadCellCalibration, settings: LoadCellSetting
     assert applied is not None
     assert residual is not None
     assert covariance is not None
-    zero_N = float(np.hypot(*(fit.matrix * [one.expanded for one in zero]).T).max())
+    zero_N = float(np.hypot(*(fit.matrix * [z.expanded for z in zero]).T).max())
     return {
         **result,
         "terms": calibration.terms,
         "matrix_N_per_unit": fit.matrix.tolist(),
         "matrix_covariance": covariance.tolist(),
         "matrix_standard_uncertainty_N_per_unit": _square(np.sqrt(np.diag(covariance)).tolist()),
-        "matrix_expanded_uncertainty_N_per_unit": _square([one.expanded for one in elements]),
-        "matrix_effective_degrees_of_freedom": _square([finite(one.degrees) for one in elements]),
+        "matrix_expanded_uncertainty_N_per_unit": _square([e.expanded for e in elements]),
+        "matrix_effective_degrees_of_freedom": _square([finite(e.degrees) for e in elements]),
         "zero": fit.zero.tolist(),
         **_pin_weight(calibration),
         "sensitivity_unit_per_N": fit.sensitivity.tolist(),
@@ -65,17 +65,17 @@ def load_cell_result(calibration: LoadCellCalibration, settings: LoadCellSetting
         "uncertainty_line_N": _line(calibration.expanded_line or (budget.expanded, 0.0)),
         "uncertainty_lines_of_mean_N": {
             name: _line(
-                expanded_line([getattr(one, name).of_mean(math.inf) for one in calibration.by_load])
+                expanded_line([getattr(at, name).of_mean(math.inf) for at in calibration.by_load])
             )
             for name in ("component", "magnitude")
         },
         **budget_result(budget, "N"),
         "magnitude": budget_result(calibration.by_load[-1].magnitude, "N"),
-        "uncertainty_by_load": [_at_load(one) for one in calibration.by_load],
+        "uncertainty_by_load": [_at_load(load) for load in calibration.by_load],
         "of_calibration": _of_calibration(calibration.at_calibration),
-        "zero_expanded_uncertainty": [one.expanded for one in zero],
-        "zero_standard_uncertainty": [one.combined for one in zero],
-        "zero_effective_degrees_of_freedom": [finite(one.degrees) for one in zero],
+        "zero_expanded_uncertainty": [z.expanded for z in zero],
+        "zero_standard_uncertainty": [z.combined for z in zero],
+        "zero_effective_degrees_of_freedom": [finite(z.degrees) for z in zero],
         "zero_expanded_uncertainty_N": zero_N,
         "characteristics_percent": {
             "reproducibility_b": traits.reproducibility,
@@ -99,13 +99,13 @@ def _of_calibration(by_load: Sequence[LoadUncertainty]) -> dict[str, Any]:
         "load_N": last.load,
         **budget_result(last.component, "N"),
         "magnitude": budget_result(last.magnitude, "N"),
-        "uncertainty_line_N": _line(expanded_line([one.component for one in by_load])),
-        "uncertainty_by_load": [_at_load(one) for one in by_load],
+        "uncertainty_line_N": _line(expanded_line([load.component for load in by_load])),
+        "uncertainty_by_load": [_at_load(load) for load in by_load],
     }
 
 
 def _pin_weight(calibration: LoadCellCalibration) -> dict[str, Any]:
-    """Return the weight of what turns with the pin, as it acts where the loads hang."""
+    """Return the weight that turns with the pin, as it acts where the loads hang."""
     weight = calibration.pin_weight
     assert weight is not None
     return {"pin_weight_N": weight.value, "pin_weight_expanded_uncertainty_N": weight.expanded}
@@ -138,7 +138,7 @@ def _at_load(uncertainty: LoadUncertainty) -> dict[str, Any]:
 def _too_uncertain(
     calibration: LoadCellCalibration, settings: LoadCellSettings
 ) -> Iterator[Problem]:
-    """Judge U where nothing else is wrong: a mistake that has a name makes it large by itself."""
+    """Judge U where nothing else is wrong: a known mistake makes it large by itself."""
     if calibration.budget is not None and calibration.accepted:
         against = too_uncertain(calibration.budget.expanded, settings.cell.full_scale)
         if against:
@@ -173,13 +173,13 @@ def _weight_words(calibration: LoadCellCalibration) -> Iterator[str]:
         yield say("Weight that turns with the pin: {} N, U = {} N.", *rounded)
 
 
-def applied_by_former(rows: Rows, given: LoadCellFile, drift: bool | None) -> dict[str, Any]:
-    """Return what records of the evaluations 1 and 2 apply to samples: one zero for all series.
+def applied_by_former(rows: Rows, file: LoadCellFile, drift: bool | None) -> dict[str, Any]:
+    """Return the numbers that evaluations 1 and 2 apply to samples: one zero for all series.
 
-    drift: whether that of the zero was fitted, None where the readings say it.
+    drift: whether that of the zero was fitted, None where the readings decide.
     """
     readings = load_cell_table(rows)
-    settings = load_cell_meaning(given, say("the record's settings"))
+    settings = load_cell_meaning(file, say("the record's settings"))
     fit = common_zero_fit(applied_force(readings, settings), readings.signal, drift)
     return {
         "matrix_N_per_unit": fit.matrix.tolist(),
@@ -188,12 +188,12 @@ def applied_by_former(rows: Rows, given: LoadCellFile, drift: bool | None) -> di
     }
 
 
-def fit_load_cell(rows: Rows, given: LoadCellFile, where: str) -> Outcome:
+def fit_load_cell(rows: Rows, file: LoadCellFile, where: str) -> Outcome:
     """Fit a table of readings by settings from ``where``: as it is shown, printed and kept.
 
     Raises ReadingsError and UnusableInput.
     """
-    settings = load_cell_meaning(given, where)
+    settings = load_cell_meaning(file, where)
     calibration = calibrate_load_cell(load_cell_table(rows), settings)
     result = load_cell_result(calibration, settings)
     if calibration.fit is None or calibration.budget is None or calibration.expanded_line is None:
@@ -232,5 +232,5 @@ def fit_load_cell(rows: Rows, given: LoadCellFile, where: str) -> Outcome:
         say("Zero ({})", unit),
     )
     axes = zip((say("Axis 1"), say("Axis 2")), matrix, calibration.fit.zero.tolist(), strict=True)
-    shown = ((name, *(f"{one:.4f}" for one in row), f"{rest:.6f}") for name, row, rest in axes)
+    shown = ((name, *(f"{value:.4f}" for value in row), f"{rest:.6f}") for name, row, rest in axes)
     return Outcome(say("load cell"), result, lines, NumberTable(header, tuple(shown), in_lines=4))

@@ -91,34 +91,34 @@ def parse_pieces(text: str) -> tuple[float, ...]:
             continue
         mass, _, count = word.lower().replace("×", "x").replace("kg", "").partition("x")
         try:
-            many, value = int(count.strip() or "1"), float(mass)
+            count_of, value = int(count.strip() or "1"), float(mass)
         except ValueError as error:
             raise UnusableInput(
                 "weights: {} is not a mass; write for example 5x8, 2, 2, 1, 0.5 (eight"
                 " pieces of 5 kg and four others).",
                 repr(part.strip()),
             ) from error
-        if not (1 <= many <= 64 and 0.0 < value <= HEAVIEST_PIECE_KG):
+        if not (1 <= count_of <= 64 and 0.0 < value <= HEAVIEST_PIECE_KG):
             raise UnusableInput(
                 "weights: {}: give 1 to 64 pieces of up to {:g} kg.",
                 repr(part.strip()),
                 HEAVIEST_PIECE_KG,
             )
-        pieces += [value] * many
+        pieces += [value] * count_of
     if not pieces:
         raise UnusableInput("weights: none are named; write for example 5x8, 2, 2, 1, 0.5.")
     return tuple(sorted(pieces, reverse=True))
 
 
-def load_cell_plan(asked: Mapping[str, Any], given: LoadCellFile) -> LoadCellPlan:
-    """Return the plan that words ask for, up to what the pieces make and the cell may bear.
+def load_cell_plan(choices: Mapping[str, Any], file: LoadCellFile) -> LoadCellPlan:
+    """Return the plan of the operator's choices, up to the sum of the pieces and the cell's limit.
 
-    Raises UnusableInput naming the word that is wrong.
+    Raises UnusableInput naming the wrong choice.
     """
-    plan, settings = asked["plan"], load_cell_meaning(given, "settings")
+    plan, settings = choices["plan"], load_cell_meaning(file, "settings")
     if plan not in PLANS:
         raise UnusableInput("--plan {}: choose {}.", plan, joined(", ", PLANS))
-    pieces = parse_pieces(asked["weights"])
+    pieces = parse_pieces(choices["weights"])
     limit = SHARE_OF_FULL_SCALE * settings.cell.full_scale / settings.place.gravity
     on_pin = settings.weights.hanger_mass + settings.weights.at_zero
     heaviest = min(sum(pieces), limit - on_pin)
@@ -149,7 +149,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     @property
     def settings(self) -> LoadCellSettings:
         """Return the settings as the operator gave them, SI."""
-        return load_cell_meaning(self.given, "settings")
+        return load_cell_meaning(self.settings_file, "settings")
 
     def check_settings(self) -> None:
         """Raise UnusableInput for weights, gravity or air that cannot be."""
@@ -158,7 +158,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
                 raise UnusableInput("settings: {}", problem.sentence)
 
     def window_of(self, view: Mapping[str, Any]) -> LoadCellWindow:
-        """Return the window that the engine's answer to ``signals`` tells; SI, angle in rad."""
+        """Return the window of the engine's answer to ``signals``; SI, angle in rad."""
         angle, quadratic = view["angle_deg"], view.get("quadratic")
         return LoadCellWindow(
             **window_times(view),
@@ -177,10 +177,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """Return the angle of the pin, rad."""
         return window.angle
 
-    # --- what a face shows -----------------------------------------------------------------------
+    # --- display ---------------------------------------------------------------------------------
 
     def expected(self) -> float:
-        """Return the force (N) of what should hang at the present step."""
+        """Return the force (N) of the load at the present step."""
         mass = 0.0 if self.procedure.done else self.procedure.step.value
         return float(weight_force(mass, self.settings.weights, self.settings.place))
 
@@ -193,10 +193,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """Return mass and angle of a reading."""
         return f"{reading.value:g}", f"{math.degrees(reading.place):.1f}"
 
-    def told_live(self, readiness: Readiness) -> str:
-        """Return signals, the force that is felt and the one that should hang."""
+    def live_words(self, readiness: Readiness) -> str:
+        """Return signals, the measured force and the expected one."""
         first, second = readiness.steadiness.mean
-        unit, procedure = self.given.cell.signal_unit, self.procedure
+        unit, procedure = self.settings_file.cell.signal_unit, self.procedure
         text = say(
             "Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N",
             first,
@@ -209,7 +209,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return say("{}.", text)
 
     def compared(self, readiness: Readiness) -> Readiness:
-        """Return it with what to check in its place where what is felt is not what should hang."""
+        """Return it, or a hint in its place where the measured load is not the expected one."""
         procedure = self.procedure
         if procedure.done or procedure.step.kind is not StepKind.READING or not readiness.ready:
             return readiness
@@ -227,19 +227,19 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def _doubt(
         self, mass: float, series: str, before: Sequence[TakenReading], signal: ArrayLike
     ) -> str:
-        """Return a warning where what is felt is not the mass that should hang, else nothing.
+        """Return a warning where the measured load is not the expected mass, else nothing.
 
-        Felt beyond the zero of the same series, since what turns with the pin is in both; by the
-        gain of the loads before it in the series, since the calibration in use may be another
-        cell's or none.
+        Measured against the zero of the same series, since the pin's weight is in both; by the gain
+        of the loads before it in the series, since the calibration in use may be another cell's or
+        none.
         """
         window, steps, settings = self.newest, self.procedure.steps, self.settings
-        here = [
+        same_series = [
             reading
             for reading in before
             if not reading.rejected and steps[reading.step].series == series
         ]
-        zeros = [np.array(reading.signal) for reading in here if reading.value == 0.0]
+        zeros = [np.array(reading.signal) for reading in same_series if reading.value == 0.0]
         if window is None or not zeros:
             return ""
 
@@ -249,13 +249,13 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         expected, aside = weight(mass), window.zero - zeros[-1]
         gains = [
             window.force(np.asarray(reading.signal) + aside) / weight(reading.value)
-            for reading in here
+            for reading in same_series
             if reading.value > 0.0
         ]
         gain, allowed = (float(np.median(gains)), ALIKE) if gains else (1.0, LARGEST_SHARE)
         off = window.force(np.asarray(signal) + aside) / gain - expected
-        # A cell that was loaded returns to its zero only as well as it told the load.
-        heaviest = max(expected, *(weight(reading.value) for reading in here))
+        # A loaded cell returns to its zero only as well as it measured the load.
+        heaviest = max(expected, *(weight(reading.value) for reading in same_series))
         if abs(off) <= allowed * heaviest + settings.cell.resolution:
             return ""
         force, kg = abs(off), abs(off) / force_per_mass(settings.weights, settings.place)
@@ -270,7 +270,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             "{:.5f}, {:.5f} {} (the calibration in use makes {:.1f} N of it)",
             first,
             second,
-            self.given.cell.signal_unit,
+            self.settings_file.cell.signal_unit,
             readiness.felt,
         )
         *before, last = self.procedure.taken
@@ -279,7 +279,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return say("{}. {}", text, doubt) if doubt else text
 
     def residuals(self) -> ResidualsSoFar:
-        """Return what each reading differs from a fit of all so far, N, in the order taken."""
+        """Return the difference of each reading from a fit of all so far, N, in the order taken."""
         readings = load_cell_readings(self.procedure)
         weight = weight_force(readings.mass, self.settings.weights, self.settings.place)
         force = pin_force(weight, readings.angle, self.angle_reference["offset"])
@@ -319,10 +319,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def reference_reversed(self, first: float, second: float) -> LevelReading:
         """Take the angle reference with the level turned end for end between two angles (rad).
 
-        The level's own error cancels; what is left is the setting of the bubble. Raises
+        The level's own error cancels; the setting of the bubble remains. Raises
         ProcedureError.
         """
-        setting = math.radians(self.given.angle.setting_standard_uncertainty_deg)
+        setting = math.radians(self.settings_file.angle.setting_standard_uncertainty_deg)
         try:
             level = reversed_level(first, second, setting)
         except LevelError as error:
@@ -348,11 +348,11 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     # --- the end ---------------------------------------------------------------------------------
 
     def fitted(self) -> Outcome:
-        """Fit and check all readings, or compare those of a daily check with what hung."""
-        rows, given = self.rows(), self.used_settings()
+        """Fit and check all readings, or compare those of a daily check with the loads."""
+        rows, file = self.rows(), self.used_settings()
         if self.procedure.plan.kind is not PlanKind.DAILY:
-            return fit_load_cell(rows, given, "settings")
-        readings, settings = load_cell_table(rows), load_cell_meaning(given, "settings")
+            return fit_load_cell(rows, file, "settings")
+        readings, settings = load_cell_table(rows), load_cell_meaning(file, "settings")
         used = self.newest
         if used is None:
             raise ProcedureError("the calibration in use is not known; is the engine running?")
@@ -376,7 +376,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def keep_check(self, outcome: Outcome, store: Path) -> DailyHistory:
         """Append a daily check to the store and return the history; raise UnusableInput.
 
-        Judged again without new readings it counts once.
+        The same readings judged again count once.
         """
         used, file = self.newest, self.rig.file
         if outcome.check is None or used is None:
@@ -401,7 +401,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return read_history(store, self.rig.name)
 
     def close(self) -> None:
-        """Let the journal go; that of a kept daily check is set aside, not to be taken up."""
+        """Close the journal; that of a kept daily check is set aside, not to be resumed."""
         super().close()
         if self._kept == len(self.procedure.events):
             self._kept, path = 0, self.journal.path
@@ -414,7 +414,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return step.series, step.number, reading.value, angle, *reading.signal, reading.hung or ""
 
     def facts(self) -> dict[str, Any]:
-        """Return what the record tells of the plan."""
+        """Return the keys of the plan in the record."""
         plan = self.procedure.plan
         return {"plan": plan.kind.value, "pieces_kg": list(plan.pieces)}
 
@@ -422,9 +422,9 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         """Return the settings with the angle reference that was taken."""
         reference = self.angle_reference
         angle = msgspec.structs.replace(
-            self.given.angle,
+            self.settings_file.angle,
             offset_deg=math.degrees(reference["offset"]),
             standard_uncertainty_deg=math.degrees(reference["uncertainty"]),
             level_readings_deg=tuple(math.degrees(shown) for shown in reference.get("shown", ())),
         )
-        return msgspec.structs.replace(self.given, angle=angle)
+        return msgspec.structs.replace(self.settings_file, angle=angle)

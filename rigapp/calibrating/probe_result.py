@@ -1,4 +1,4 @@
-"""What a probe calibration prints and its record keeps, and the same in words."""
+"""The result of a probe calibration: for ``--json`` and the record, and in words."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ UM = 1e6
 
 
 def probe_result(calibration: ProbeCalibration) -> dict[str, Any]:
-    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    """Return the result for ``--json`` and the record, units in the keys."""
     return {
         "accepted": calibration.accepted,
         "problems": problems_of(calibration.problems),

@@ -62,19 +62,19 @@ def usual_reach_um(sensitivity_um_per_V: Sequence[float], range_V: float, positi
     return 0.5 * step * (positions - 1)
 
 
-def probe_plan(asked: Mapping[str, Any], given: ProbeFile) -> ProbePlan:
-    """Return the plan that words ask for; raise UnusableInput naming the one that is wrong.
+def probe_plan(choices: Mapping[str, Any], file: ProbeFile) -> ProbePlan:
+    """Return the plan of the operator's choices; raise UnusableInput naming the wrong one.
 
     Without a reach it is the usual one, of probes of some sensitivity.
     """
-    probe, plan, positions = asked["which"], asked["plan"], asked["positions"]
+    probe, plan, positions = choices["which"], choices["plan"], choices["positions"]
     if probe not in PROBES:
         raise UnusableInput("--probe {}: choose {}.", probe, joined(", ", PROBES))
     if plan not in PROBE_PLANS:
         raise UnusableInput("--plan {}: choose {}.", plan, joined(", ", PROBE_PLANS))
-    reach = asked["reach"]
+    reach = choices["reach"]
     if reach is None:
-        reach = usual_reach_um(asked["sensitivity"], given.probe.range_V, max(positions, 2))
+        reach = usual_reach_um(choices["sensitivity"], file.probe.range_V, max(positions, 2))
     wanted = ProbePlan(PROBES[probe], 1e-6 * reach, positions, PROBE_PLANS[plan])
     try:
         wanted.steps()
@@ -96,20 +96,20 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         return former_record(self.rig.file, PROBE_RECORDS, self.procedure.plan.probes[0] - 1)
 
     def window_of(self, view: Mapping[str, Any]) -> ProbeWindow:
-        """Return the window that the engine's answer to ``signals`` tells; SI."""
+        """Return the window of the engine's answer to ``signals``; SI."""
         return ProbeWindow(
             **window_times(view),
             signal=two_signals(view, channels.PROBES),
             sensitivity=1e-6 * np.array(view["sensitivity_um_per_V"], dtype=np.float64),
             offset=np.array(view["probe_offset_V"], dtype=np.float64),
-            range_volts=self.given.probe.range_V,
+            range_volts=self.settings_file.probe.range_V,
         )
 
     def assess(self, window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
         """Judge a window for a step."""
         return assess_probe(window, step, since, wait)
 
-    # --- what a face shows -----------------------------------------------------------------------
+    # --- display ---------------------------------------------------------------------------------
 
     def typed(self, answer: str) -> float | None:
         """Return the position (m) that the operator read off the micrometer."""
@@ -133,8 +133,8 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         """Return the position of a reading."""
         return (f"{1e6 * reading.value:.1f}",)
 
-    def told_live(self, readiness: Readiness) -> str:
-        """Return the voltages and where the probe stands."""
+    def live_words(self, readiness: Readiness) -> str:
+        """Return the voltages and the position of the probe."""
         if self.procedure.done:
             return ""
         first, second = readiness.steadiness.mean
@@ -156,7 +156,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         )
 
     def residuals(self) -> ResidualsSoFar:
-        """Return how far each reading lies from the line of all of its probe so far, um."""
+        """Return the distance of each reading from the line of its probe so far, um."""
         reach = 1.1e6 * self.procedure.plan.reach
         curves, last, worst = list(NO_CURVES), 0.0, (0.0, 0.0, 0)
         for probe in self.procedure.plan.probes:
@@ -170,7 +170,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
             curves[probe - 1] = (position, um)
             at, last = int(np.abs(um).argmax()), float(um[-1])
             worst = max(
-                worst, (float(um[at]), float(position[at]), probe), key=lambda one: abs(one[0])
+                worst, (float(um[at]), float(position[at]), probe), key=lambda row: abs(row[0])
             )
         if not worst[2]:
             words = say("Residuals are shown from the third position on.")
@@ -193,7 +193,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
 
     def settings_of(self, probe: int) -> ProbeSettings:
         """Return the settings of a probe; its expected sensitivity is that of the one in use."""
-        settings = probe_meaning(self.given)
+        settings = probe_meaning(self.settings_file)
         if settings.nominal is None and self.newest is not None:
             settings = replace(settings, nominal=float(self.newest.sensitivity[probe - 1]))
         return settings
@@ -211,17 +211,17 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         return step.series, step.number, 1e6 * reading.value, own, other
 
     def facts(self) -> dict[str, Any]:
-        """Return what the record tells of the plan."""
+        """Return the keys of the plan in the record."""
         plan = self.procedure.plan
         return {"probes": list(plan.probes), "positions": plan.positions, "runs": plan.runs}
 
     def used_settings(self) -> ProbeFile:
-        """Return the settings with what was taken from the rig, so that the record is complete."""
+        """Return the settings with the values of the rig, so that the record is complete."""
         probes = self.procedure.plan.probes
         nominal = self.settings_of(probes[0]).nominal
         if len(probes) > 1 or nominal is None:
-            return self.given
+            return self.settings_file
         probe = msgspec.structs.replace(
-            self.given.probe, nominal_sensitivity_um_per_V=1e6 * nominal
+            self.settings_file.probe, nominal_sensitivity_um_per_V=1e6 * nominal
         )
-        return msgspec.structs.replace(self.given, probe=probe)
+        return msgspec.structs.replace(self.settings_file, probe=probe)

@@ -34,7 +34,7 @@ def problems_of(problems: Sequence[Problem]) -> list[dict[str, Any]]:
 
 
 def budget_result(budget: Budget | None, unit: str, scale: float = 1.0) -> dict[str, Any]:
-    """Return what a result has of a budget, the unit in the keys; ``scale``: units per SI unit."""
+    """Return the keys of a budget in a result, with the unit; ``scale``: units per SI unit."""
     return {
         f"expanded_uncertainty_{unit}": None if budget is None else scale * budget.expanded,
         "coverage_factor": None if budget is None else budget.coverage_factor,
@@ -54,7 +54,7 @@ def budget_result(budget: Budget | None, unit: str, scale: float = 1.0) -> dict[
 
 
 def finite(degrees: float) -> float | None:
-    """Return degrees of freedom, None where they are without end."""
+    """Return degrees of freedom, None where they are infinite."""
     return degrees if math.isfinite(degrees) else None
 
 
@@ -75,10 +75,10 @@ def keep_record(
     taken: Mapping[str, Any] | None = None,
     as_found: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write the record so that it is there whole or not at all, and read-only.
+    """Write the record completely or not at all, and read-only.
 
-    taken: how the readings were taken, for those that the program took itself. as_found: what they
-    say of the record that was in use. Raises UnusableInput for a date in the future.
+    taken: how the readings were taken, for those that the program took itself. as_found: their
+    result for the record that was in use. Raises UnusableInput for a date in the future.
     """
     now = int(time.time())
     day = settings.paperwork.calibrated_on

@@ -43,7 +43,7 @@ class RecordPlace:
     """Where a rig file names records, and what they replace in it.
 
     section: its name, or that of a table and one of its entries (``channels.NAME``). kinds: of
-    records that may stand there; a list of names allows the first only. use (rig, section,
+    records that are allowed; a list of names allows the first only. use (rig, section,
     records): the section with the records' numbers, and a label of each record.
     """
 
@@ -64,7 +64,7 @@ class RecordPlace:
         return msgspec.structs.replace(rig, **{table: new})
 
     def alone(self, kind: str) -> bool:
-        """Tell whether one record of a kind says all, and not one of a list."""
+        """Return whether one record of a kind is enough, without a list."""
         return len(self.kinds) == 1 or kind != self.kinds[0]
 
 
@@ -97,7 +97,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
             with_numbers, labels = place.use(
                 rig, section, [record for _, record in texts_and_records]
             )
-            # What a record states must be what the rig file itself could state.
+            # A record must not state values that the rig file itself could not.
             with_numbers = msgspec.convert(tree_of(with_numbers), type(section))
             each = []
             for text, record in texts_and_records:
@@ -116,7 +116,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
             ) from error
         used = place.put(used, with_numbers)
         override = getattr(section, f"{place.key}_override")
-        # One record may say all of both probes.
+        # One record may hold both probes.
         for label, (text, record, again, against) in zip(labels, each * len(labels), strict=False):
             texts[label] = text
             if not against:
@@ -176,9 +176,9 @@ def _trusted_keys(rig: Rig) -> dict[str, str]:
 
 
 def _unsigned(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
-    """Yield why a record is not one of the laboratories that a rig file trusts, if it names any.
+    """Yield why a record is not of a laboratory that the rig file trusts, if it names any.
 
-    That a signature holds is part of what is verified of every record.
+    The signature itself is verified for every record.
     """
     if not trusted:
         return
@@ -189,7 +189,7 @@ def _unsigned(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
 
 
 def _signer(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
-    """Yield who signed a record, if anybody did."""
+    """Yield the signer of a record, if it is signed."""
     if record.signature is not None:
         name = trusted.get(record.signature.public_key, say("a key that nobody named"))
         yield say("signed by {} ({})", name, _mark(record))
@@ -203,14 +203,14 @@ def _mark(record: Record) -> str:
 
 
 def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[str]:
-    """Return what stands against the use of a record: untrue, expired, dated ahead, or foreign.
+    """Return the objections to the use of a record: untrue, expired, dated ahead, or foreign.
 
-    Untrue: its readings give something else, are not there, or cannot be fitted by this version.
+    Untrue: its readings give another result, are missing, or cannot be fitted by this version.
     Foreign: taken on another rig, on a simulated one for a real one or the reverse, of a load cell
     of another full scale or serial number, or by another line (``wiring``). Readings that came as a
-    table do not say where they were taken.
+    table do not state where they were taken.
     """
-    content, here = record.content, rig.record
+    content, own_rig = record.content, rig.record
     if again.compared:
         warnings: list[str] = [
             say("does not follow from its readings ({})", difference.rstrip("."))
@@ -228,10 +228,10 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
         warnings.append(say("expired on {}", due[:10]))
     taken = content.get("taken") or {}
     where = str(taken.get("rig") or "")
-    if where and where != here.name:
-        warnings.append(say("was taken on the rig {}, this is {}", repr(where), repr(here.name)))
+    if where and where != own_rig.name:
+        warnings.append(say("was taken on the rig {}, this is {}", repr(where), repr(own_rig.name)))
     simulated = taken.get("simulated")
-    if simulated is not None and bool(simulated) is not here.simulated:
+    if simulated is not None and bool(simulated) is not own_rig.simulated:
         kinds = (say("a real rig"), say("a simulated rig"))
         warnings.append(
             say("was taken on {}, this is {}", kinds[bool(simulated)], kinds[not simulated])
@@ -240,24 +240,24 @@ def _faults(rig: Rig, record: Record, again: Verification, now: float) -> list[s
     full = content["settings"].get("cell", {}).get("full_scale_N")
     if line is not None and full is not None:
         warnings += filter(None, [too_uncertain(line["constant_N"] + line["per_N"] * full, full)])
-    if full is not None and abs(full / here.load_cell.full_scale_N - 1.0) > 1e-6:
+    if full is not None and abs(full / own_rig.load_cell.full_scale_N - 1.0) > 1e-6:
         warnings.append(
             say(
                 "is of a load cell of {:g} N, the rig file says {:g} N",
                 full,
-                here.load_cell.full_scale_N,
+                own_rig.load_cell.full_scale_N,
             )
         )
-    return [*warnings, *foreign(record.kind, content, here)]
+    return [*warnings, *foreign(record.kind, content, own_rig)]
 
 
 @dataclass(frozen=True, slots=True)
 class ProbesStated:
-    """What the records of the probes state of a depth.
+    """The uncertainty of a depth by the records of the probes.
 
-    sensitivity: relative standard uncertainty, the larger of both probes'; drift_um: standard, what
-    a depth may wander by in a decade of revolutions: the uncertainty of one position, since wear
-    moves the pin through positions that are each wrong by so much. records: which ones.
+    sensitivity: relative standard uncertainty, the larger of both probes'; drift_um: standard
+    drift of a depth in a decade of revolutions: the uncertainty of one position, since wear moves
+    the pin through positions that are each wrong by so much. records: their names.
     """
 
     sensitivity: float
@@ -266,7 +266,7 @@ class ProbesStated:
 
 
 def probes_stated(texts: Mapping[str, str]) -> ProbesStated | None:
-    """Return what the probes' records among some texts state, None where there are none.
+    """Return the uncertainty by the probes' records among some texts, None where there are none.
 
     texts: as ``RigRecords`` has them. Raises RecordError for one that was changed.
     """
@@ -275,14 +275,14 @@ def probes_stated(texts: Mapping[str, str]) -> ProbesStated | None:
         for label in ("probe_1", "probe_2", "probes")
         if label in texts
     ]
-    results = [one.content["result"] for one in records]
+    results = [record.content["result"] for record in records]
     each = [part for result in results for part in result.get("probes", [result])]
-    sensitivity = [one.get("sensitivity_relative_standard_uncertainty") for one in each]
-    expanded = [one.get("expanded_uncertainty_um") for one in each]
-    if not each or not all(isinstance(one, int | float) for one in (*sensitivity, *expanded)):
+    sensitivity = [result.get("sensitivity_relative_standard_uncertainty") for result in each]
+    expanded = [result.get("expanded_uncertainty_um") for result in each]
+    if not each or not all(isinstance(value, int | float) for value in (*sensitivity, *expanded)):
         return None
-    position = max(one["expanded_uncertainty_um"] / one.get("coverage_factor", 2.0) for one in each)
-    names = " + ".join(dict.fromkeys(str(one.number) for one in records))
+    position = max(r["expanded_uncertainty_um"] / r.get("coverage_factor", 2.0) for r in each)
+    names = " + ".join(dict.fromkeys(str(record.number) for record in records))
     return ProbesStated(float(max(sensitivity)), float(position), names)
 
 
@@ -321,12 +321,12 @@ def _probes(
     """One record of a pair, one of each probe, or one of both alike."""
     first, second = records[0], records[-1]
     pair = first.kind == "probe pair"
-    results = [one.content["result"] for one in (first, second)]
+    results = [record.content["result"] for record in (first, second)]
     if pair:
         results = first.content["result"]["probes"]
     both = list(zip(results, (first, second), strict=True))
     stated = [result.get("expanded_uncertainty_um") for result in results]
-    known = all(isinstance(one, int | float) for one in stated)
+    known = all(isinstance(value, int | float) for value in stated)
     used = msgspec.structs.replace(
         section,
         sensitivity_um_per_V=tuple(_number(rig, r, n, "sensitivity_um_per_V") for r, n in both),
@@ -397,7 +397,7 @@ LOAD_CELL = RecordPlace("load_cell", "calibration", (say("load cell"),), _load_c
 PROBES = RecordPlace("probes", "calibration", ("probe", say("probe pair")), _probes)
 RUN_OUT = RecordPlace("probes", "run_out", (say("run-out map"),), _run_out)
 PLACES = (LOAD_CELL, PROBES, RUN_OUT)
-"""Where every rig file names records, in the order in which they are put to use."""
+"""Where every rig file names records, in the order in which they are applied."""
 
 
 def places_of(rig: RigFile) -> Iterator[RecordPlace]:
@@ -410,7 +410,7 @@ def places_of(rig: RigFile) -> Iterator[RecordPlace]:
 def former_record(path: Path | None, place: RecordPlace, which: int = 0) -> Record | None:
     """Return the record that a rig file names in a place, or one of two; None without one.
 
-    An expired or foreign one too: whoever compares with it, does not use it.
+    An expired or foreign one too: it serves for comparison only.
     """
     if path is None:
         return None
@@ -424,8 +424,8 @@ def former_record(path: Path | None, place: RecordPlace, which: int = 0) -> Reco
         return None
 
 
-def only_records_differ(one: RigFile, other: RigFile) -> bool:
-    """Tell whether two rig files say the same but for the records that they name."""
+def only_records_differ(first: RigFile, second: RigFile) -> bool:
+    """Return whether two rig files are the same but for the records that they name."""
 
     def bare(rig: RigFile) -> RigFile:
         for place in places_of(rig):
@@ -433,15 +433,15 @@ def only_records_differ(one: RigFile, other: RigFile) -> bool:
             rig = place.put(rig, msgspec.structs.replace(place.of(rig), **names))
         return rig
 
-    return bare(one) == bare(other)
+    return bare(first) == bare(second)
 
 
 def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path:
-    """Let a place of a rig file name a record; return the copy of the old file.
+    """Enter a record in its place of a rig file; return the copy of the old file.
 
-    The name is relative to the rig file. An override of the place goes: its reason was the former
-    record's. Everything else stays, comments included. Nothing is changed when the rig would not be
-    usable with the record. Raises UnusableInput.
+    The name is relative to the rig file. An override of the place is removed: its reason was the
+    former record's. Everything else stays, comments included. Nothing is changed when the rig would
+    not be usable with the record. Raises UnusableInput.
     """
     import tomlkit
 

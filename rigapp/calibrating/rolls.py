@@ -1,4 +1,4 @@
-"""The run-out map under way: slow rolls of the spindle, then the map that they tell."""
+"""The run-out map under way: slow rolls of the spindle, then the map from them."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def roll_test(
 
 @dataclass(frozen=True, slots=True)
 class RollPlan:
-    """What is rolled: speeds (rpm), revolutions at each, orders of the map."""
+    """A plan of rolls: speeds (rpm), revolutions at each, orders of the map."""
 
     speeds: tuple[float, ...]
     revolutions: int
@@ -79,12 +79,12 @@ class RollPlan:
 
     @property
     def seconds(self) -> float:
-        """Return how long the spindle turns."""
+        """Return the time for which the spindle turns."""
         return sum(60.0 * (self.revolutions + ROLL_RAMP) / rpm for rpm in self.speeds)
 
 
 def roll_plan(rpm: str, revolutions: int, orders: int) -> RollPlan:
-    """Return the plan that words ask for; raise UnusableInput naming the one that is wrong."""
+    """Return the plan of the operator's choices; raise UnusableInput naming the wrong one."""
     if revolutions < 1:
         raise UnusableInput("--revolutions: take at least 1; 12 are good.")
     speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, FASTEST_RPM, 1)
@@ -113,7 +113,7 @@ def rolls_of(
 
 
 def save_map(
-    files: Sequence[Path], orders: int, source: Mapping[str, Any], given: RunOutFile, to: Path
+    files: Sequence[Path], orders: int, source: Mapping[str, Any], settings: RunOutFile, to: Path
 ) -> Outcome:
     """Make a map of rolls and keep its record when it is good.
 
@@ -122,14 +122,14 @@ def save_map(
     outcome, readings, facts = map_of(files, orders)
     if outcome.accepted:
         taken = {**source, "files": facts, "orders": orders}
-        keep_record(to, outcome.kind, readings, given, outcome.result, taken)
+        keep_record(to, outcome.kind, readings, settings, outcome.result, taken)
     return outcome
 
 
 class RollSession:
-    """A run-out map under way, for a face that is told how the engine stands.
+    """A run-out map under way, for a user interface that has the engine's status.
 
-    The journal tells the plan; the rolls are test files beside it.
+    The journal holds the plan; the rolls are test files beside it.
     """
 
     practice: ClassVar[Training] = NO_PRACTICE
@@ -139,20 +139,20 @@ class RollSession:
 
     def __init__(
         self,
-        given: RunOutFile,
+        file: RunOutFile,
         rig: Rig,
         journal: Path,
         plan: RollPlan | None,
         *,
         keep_waiting_times: bool = True,
     ) -> None:
-        """Begin, or take up what the journal tells; raise UnusableInput."""
+        """Begin, or resume from the journal; raise UnusableInput."""
         if rig.file is None or rig.test is None:
             raise UnusableInput(
                 "a roll needs a rig file and a test file, whose mechanism tells the"
                 " elastic motion: name the test file."
             )
-        self.given, self.rig = given, rig
+        self.settings_file, self.rig = file, rig
         self.journal = Journal(journal)
         try:
             self.plan = self._open(plan)
@@ -191,7 +191,7 @@ class RollSession:
         refuse_existing(to)
         self.runs.compress()
         source = {"rig": self.rig.name, "simulated": self.rig.simulated}
-        save_map(self.runs.files, self.plan.orders, source, self.given, to)
+        save_map(self.runs.files, self.plan.orders, source, self.settings_file, to)
         return replace(outcome, saved=to)
 
     def residuals(self) -> ResidualsSoFar:
@@ -200,13 +200,13 @@ class RollSession:
         if "map_um" not in result:
             return ResidualsSoFar(NO_CURVES, (0.0, 360.0), 1.0, "")
         angle = np.arange(0.0, 360.0, GRID_DEG)
-        one, two = (np.array(values) for values in result["map_um"])
-        reach = 1.2 * float(max(np.abs(one).max(), np.abs(two).max(), 0.1))
+        first, second = (np.array(values) for values in result["map_um"])
+        reach = 1.2 * float(max(np.abs(first).max(), np.abs(second).max(), 0.1))
         words = say("Circle: probe 1, triangle: probe 2.")
-        return ResidualsSoFar(((angle, one), (angle, two)), (0.0, 360.0), reach, words)
+        return ResidualsSoFar(((angle, first), (angle, second)), (0.0, 360.0), reach, words)
 
     def close(self) -> None:
-        """Let the journal go; it can be taken up again. One without a roll goes."""
+        """Close the journal; it can be resumed. One without a roll is deleted."""
         if not list(self.journal.path.parent.glob(f"{self.journal.path.stem}.roll-*")):
             self.journal.path.unlink(missing_ok=True)
         self.journal.close()

@@ -34,16 +34,16 @@ from rigapp_calibration.turning.run_out import (
 )
 
 GRID_DEG = 5
-"""The record's picture of the map; its orders are what is applied."""
+"""Grid of the map in the record; its orders are applied."""
 RUN_OUT_COLUMNS = (
     "roll", "revolution", "probe", "order", "cos_um", "sin_um", "elastic_cos_um", "elastic_sin_um",
 )  # fmt: skip
 
 
 def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[str, Any]]]:
-    """Make a map from the files of slow rolls: outcome, readings as CSV, what is told of each file.
+    """Make a map from the files of slow rolls: outcome, readings as CSV, facts of each file.
 
-    Raises UnusableInput for a file that tells no map.
+    Raises UnusableInput for a file that gives no map.
     """
     from rigapp.twin.predict import DOUBTS
 
@@ -59,9 +59,9 @@ def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[
 def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
     """Read the undisturbed whole cycles of a test file, as the probes showed them.
 
-    A map and an alignment that were applied while it was recorded are taken back. Each cycle tells
-    how its forces move the pin in an unworn bushing of the file's test. Returns the roll and what
-    the record tells of the file. Raises UnusableInput.
+    A map and an alignment that were applied while it was recorded are removed. Each cycle has the
+    motion of the pin by its forces in an unworn bushing of the file's test. Returns the roll and
+    the record's facts of the file. Raises UnusableInput.
     """
     from rigapp.storage import open_test
 
@@ -106,7 +106,7 @@ def _with_elastic(
     probes: Mapping[str, Any],
     path: Path,
 ) -> list[SlowRevolution]:
-    """Return the revolutions with how their forces (2, n) each, N, move the pin elastically."""
+    """Return the revolutions with the elastic motion of the pin by their forces (2, n), N."""
     from rigapp.config.parameters import to_parameters
     from rigapp.twin.predict import PredictionError, elastic_motions
     from rigapp_model.errors import ModelError
@@ -133,7 +133,7 @@ def _alignment(probes: Mapping[str, Any]) -> Array:
 
 
 def _as_read(shown: Array, angle: Array, probes: Mapping[str, Any]) -> Array:
-    """Return what the probes read (2, n), um, before alignment and map were applied."""
+    """Return the probes' readings (2, n), um, before alignment and map were applied."""
     read = np.linalg.solve(_alignment(probes), shown)
     cosines = probes.get("run_out_cos_um")
     if cosines is None or not np.size(cosines):
@@ -143,7 +143,7 @@ def _as_read(shown: Array, angle: Array, probes: Mapping[str, Any]) -> Array:
 
 
 def run_out_result(run_out: RunOutMap) -> dict[str, Any]:
-    """Return what ``--json`` prints and the record keeps, units in the keys."""
+    """Return the result for ``--json`` and the record, units in the keys."""
     result: dict[str, Any] = {
         "accepted": run_out.accepted,
         "problems": problems_of(run_out.problems),
@@ -180,12 +180,12 @@ def run_out_result(run_out: RunOutMap) -> dict[str, Any]:
 def harmonics_csv(run_out: RunOutMap) -> str:
     """Return the orders of every revolution: the readings of the record."""
     lines = [",".join(RUN_OUT_COLUMNS)]
-    for one in run_out.harmonics:
+    for turn in run_out.harmonics:
         for probe in range(2):
-            both = np.vstack((one.coefficients[probe], one.elastic[probe]))
+            both = np.vstack((turn.coefficients[probe], turn.elastic[probe]))
             pairs = (UM * both).reshape(2, -1, 2).transpose(1, 0, 2).reshape(-1, 4)
             lines += [
-                f"{one.roll + 1},{one.number},{probe + 1},{order},{','.join(map(repr, numbers))}"
+                f"{turn.roll + 1},{turn.number},{probe + 1},{order},{','.join(map(repr, numbers))}"
                 for order, numbers in enumerate(pairs.tolist(), 1)
             ]
     return "\n".join(lines) + "\n"
@@ -194,12 +194,12 @@ def harmonics_csv(run_out: RunOutMap) -> str:
 def parse_harmonics(text: str) -> tuple[Harmonics, ...]:
     """Read what ``harmonics_csv`` wrote; raise ReadingsError.
 
-    Records of before lack what was taken off as elastic motion: none, then. What the orders leave
-    of the samples is in no record.
+    Older records lack the elastic motion: none was removed. The residuals of the samples are in no
+    record.
     """
-    given = RUN_OUT_COLUMNS if "elastic_cos_um" in text.partition("\n")[0] else RUN_OUT_COLUMNS[:6]
-    rows = read_table(text, given)
-    columns = np.column_stack([numbers(rows, name) for name in given])
+    names = RUN_OUT_COLUMNS if "elastic_cos_um" in text.partition("\n")[0] else RUN_OUT_COLUMNS[:6]
+    rows = read_table(text, names)
+    columns = np.column_stack([numbers(rows, name) for name in names])
     harmonics = []
     for roll, number in dict.fromkeys(map(tuple, columns[:, :2].astype(int).tolist())):
         turn = columns[(columns[:, 0] == roll) & (columns[:, 1] == number), 4:] / UM
@@ -213,7 +213,7 @@ def map_again(content: Mapping[str, Any]) -> dict[str, Any]:
     """Return the result that the revolutions in a record's content give; raise ReadingsError."""
     from rigapp.twin.predict import DOUBTS
 
-    speeds = [one["speed_rpm"] * 2.0 * math.pi / 60.0 for one in content["taken"]["files"]]
+    speeds = [file["speed_rpm"] * 2.0 * math.pi / 60.0 for file in content["taken"]["files"]]
     run_out = map_of_harmonics(parse_harmonics(content["readings_csv"]), speeds, DOUBTS)
     return run_out_result(run_out)
 

@@ -28,12 +28,12 @@ FORCE_UNCERTAINTY = 0.005
 
 
 def check_of(files: Sequence[Path], speeds: Sequence[float], known: Known) -> tuple[Outcome, str]:
-    """Compare the runs at some speeds (rpm) with what is known: outcome, readings as CSV."""
+    """Compare the runs at some speeds (rpm) with the known force: outcome, readings as CSV."""
     runs = [read_run(path, speed) for path, speed in zip(files, speeds, strict=True)]
     check = running_check(runs, known)
     result, lines = running_result(check, known, runs), (*running_lines(check), check.sentence)
-    # What a check shows is told always.
-    return Outcome(say("running check"), result, lines, told_always=True), runs_csv(runs)
+    # The result of a check is always shown.
+    return Outcome(say("running check"), result, lines, always_shown=True), runs_csv(runs)
 
 
 def check_again(content: Mapping[str, Any]) -> dict[str, Any]:
@@ -57,7 +57,7 @@ def check_again(content: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def known_term(rig: RigFile, mass_kg: float | None, radius_mm: float | None) -> Known:
-    """Return what is known of the pin and the cell; raise UnusableInput without a mass."""
+    """Return the known data of pin and cell; raise UnusableInput without a mass."""
     cell = rig.load_cell
     mass = cell.outboard_mass_kg if mass_kg is None else mass_kg
     radius = cell.outboard_radius_mm if radius_mm is None else radius_mm
@@ -85,9 +85,9 @@ def read_run(path: Path, rpm: float) -> SpeedRun:
                 path,
             )
         names = ("speed", "quality", "force_1_mean", "force_2_mean", "force_1_rms", "force_2_rms")
-        speed, quality, one, two, rms_1, rms_2 = (reader.column(name) for name in names)
+        speed, quality, force_1, force_2, rms_1, rms_2 = (reader.column(name) for name in names)
     good = (np.abs(speed / rpm - 1.0) < STEADY_SHARE) & (quality & int(Flag.PARTIAL) == 0)
-    force = np.column_stack((one, two))[good].astype(np.float64)
+    force = np.column_stack((force_1, force_2))[good].astype(np.float64)
     squares = np.column_stack((rms_1, rms_2))[good] ** 2 - force**2
     spread = float(np.sqrt(np.maximum(squares, 0.0).mean(axis=0).min())) if len(force) else 0.0
     return SpeedRun(speed[good].astype(np.float64) * math.pi / 30.0, force, spread)
@@ -97,51 +97,51 @@ def runs_csv(runs: Sequence[SpeedRun]) -> str:
     """Return every revolution that was used, as CSV."""
     lines = [",".join(RUNNING_COLUMNS)]
     for number, run in enumerate(runs, 1):
-        for speed, (one, two) in zip(run.speed, run.force, strict=True):
+        for speed, (force_1, force_2) in zip(run.speed, run.force, strict=True):
             lines.append(
-                f"{number},{float(speed) * 30.0 / math.pi!r},{float(one)!r},{float(two)!r}"
+                f"{number},{float(speed) * 30.0 / math.pi!r},{float(force_1)!r},{float(force_2)!r}"
             )
     return "\n".join(lines) + "\n"
 
 
-def running_result(found: RunningCheck, known: Known, runs: Sequence[SpeedRun]) -> dict[str, Any]:
-    """Return what ``--json`` prints and the record keeps, units in the keys."""
+def running_result(check: RunningCheck, known: Known, runs: Sequence[SpeedRun]) -> dict[str, Any]:
+    """Return the result for ``--json`` and the record, units in the keys."""
     return {
         "known": {
             "mass_times_radius_relative_standard_uncertainty": known.moment_uncertainty,
             "force_relative_standard_uncertainty": known.relative,
             "resolution_N": known.resolution,
         },
-        "spread_within_a_turn_N": [one.spread for one in runs],
-        "accepted": found.accepted,
-        "problems": problems_of(found.problems),
-        "sentence": found.sentence,
+        "spread_within_a_turn_N": [run.spread for run in runs],
+        "accepted": check.accepted,
+        "problems": problems_of(check.problems),
+        "sentence": check.sentence,
         "known_mass_times_radius_kg_m": known.moment,
-        "measured_mass_times_radius_kg_m": found.moment,
-        "measured_expanded_uncertainty_kg_m": found.moment_expanded,
+        "measured_mass_times_radius_kg_m": check.moment,
+        "measured_expanded_uncertainty_kg_m": check.moment_expanded,
         "coverage_factor": 2.0,
         "speeds": [
             {
-                "speed_rpm": one.speed * 30.0 / math.pi,
-                "known_N": list(one.known),
-                "measured_N": list(one.measured),
-                "expanded_uncertainty_N": one.expanded,
-                "agrees": one.agrees,
+                "speed_rpm": c.speed * 30.0 / math.pi,
+                "known_N": list(c.known),
+                "measured_N": list(c.measured),
+                "expanded_uncertainty_N": c.expanded,
+                "agrees": c.agrees,
             }
-            for one in found.comparisons
+            for c in check.comparisons
         ],
     }
 
 
-def running_lines(found: RunningCheck) -> list[str]:
+def running_lines(check: RunningCheck) -> list[str]:
     """Return the speeds as lines of a table."""
-    if not found.comparisons:
+    if not check.comparisons:
         return []
     return [
         say("   rpm   known N   force_1 N   force_2 N   U (k = 2) N"),
         *(
-            f"{one.speed * 30.0 / math.pi:6.1f} {one.known[0]:+9.2f} {one.measured[0]:+11.2f}"
-            f" {one.measured[1]:+11.2f} {one.expanded:13.2f}"
-            for one in found.comparisons
+            f"{c.speed * 30.0 / math.pi:6.1f} {c.known[0]:+9.2f} {c.measured[0]:+11.2f}"
+            f" {c.measured[1]:+11.2f} {c.expanded:13.2f}"
+            for c in check.comparisons
         ),
     ]

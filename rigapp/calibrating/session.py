@@ -1,8 +1,8 @@
-"""A calibration with live readings, without a face: signals in, journal and record out.
+"""A calibration with live readings, without user interface: signals in, journal and record out.
 
-The wizard and the terminal are thin faces of a ``LiveSession``: they show its instruction and its
-judgement of the newest window, and pass on what the operator decides. What is calibrated is said by
-a session of its own (``load_cell_session``, ``probe_session``).
+The wizard and the terminal are thin interfaces of a ``LiveSession``: they show its instruction and
+its verdict on the newest window, and pass on the operator's decisions. Each subject has a session
+of its own (``load_cell_session``, ``probe_session``).
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ class Rig:
 
 @dataclass(frozen=True, slots=True)
 class NumberTable:
-    """Numbers of a result as a table. in_lines: how many of the result's lines say the same."""
+    """Numbers of a result as a table. in_lines: how many of the result's lines hold the same."""
 
     columns: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
@@ -76,46 +76,46 @@ class Outcome:
 
     kind: of the record. result: as ``--json`` prints it and the record keeps it. lines: the same in
     words and numbers. check: the daily check, which makes no record. saved: the record, if any.
-    as_found: what it finds of the record in use until now, plain values and sentences.
+    as_found: result for the record in use until now, plain values and sentences.
     """
 
     kind: str
     result: Mapping[str, Any]
     lines: tuple[str, ...]
     table: NumberTable | None = None
-    told_always: bool = False
+    always_shown: bool = False
     check: DailyCheck | None = None
     saved: Path | None = None
     as_found: tuple[Mapping[str, Any], tuple[str, ...]] = ({}, ())
 
     def against(self, former: Record | None) -> Outcome:
-        """Return it with what it finds of a former record, where both can be compared."""
+        """Return it with the as-found result of a former record, where both can be compared."""
         if former is None or not self.makes_record or former.kind != self.kind:
             return self
         try:
             return replace(self, as_found=as_found(self.kind, former, self.result))
         except MALFORMED:
-            return self  # a record of before that lacks numbers says nothing of itself
+            return self  # an older record that lacks numbers cannot be compared
 
     @property
     def changed(self) -> bool:
-        """Tell whether the former record told more too much than is allowed."""
+        """Return whether the former record was off by more than is allowed."""
         return any(change["beyond"] for change in self.as_found[0].get("changes", ()))
 
     @property
     def accepted(self) -> bool:
-        """Tell whether nothing stands against it."""
+        """Return whether nothing blocks it."""
         return bool(self.result["accepted"])
 
     @property
     def makes_record(self) -> bool:
-        """Tell whether it is to be saved as a record."""
+        """Return whether it is to be saved as a record."""
         return self.accepted and self.check is None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ResidualsSoFar:
-    """What the readings so far differ from their own fit, for a plot, and the same in words.
+    """Residuals of the readings so far from their own fit, for a plot, and the same in words.
 
     curves: of the two axes or probes, each (x, residual); span: the ends of the x axis; reach: of
     the other one, either way; in the units of the plot.
@@ -150,19 +150,19 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     def __init__(
         self,
-        given: FileType,
+        file: FileType,
         rig: Rig,
         journal: Path,
         plan: PlanType | None,
         *,
         keep_waiting_times: bool = True,
     ) -> None:
-        """Begin, or take up what the journal tells; raise UnusableInput.
+        """Begin, or resume from the journal; raise UnusableInput.
 
-        plan: what to begin; None to take up only. A journal with events is taken up, and must have
-        come from the same rig.
+        plan: of a new calibration; None to resume only. A journal with events is resumed, and must
+        be of the same rig.
         """
-        self.given, self.rig = given, rig
+        self.settings_file, self.rig = file, rig
         self._patient = keep_waiting_times
         self._since = math.nan
         self._preloaded = math.nan
@@ -196,7 +196,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         rig = self.rig
         return {"rig": rig.name, "simulated": rig.simulated, "operator": rig.operator}
 
-    # --- what is calibrated ----------------------------------------------------------------------
+    # --- subject ---------------------------------------------------------------------------------
 
     def check_settings(self) -> None:
         """Raise UnusableInput for settings that no calibration could begin with."""
@@ -204,14 +204,14 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     @abstractmethod
     def window_of(self, view: Mapping[str, Any]) -> WindowType:
-        """Return the window that the engine's answer to ``signals`` tells; SI."""
+        """Return the window of the engine's answer to ``signals``; SI."""
 
     @abstractmethod
     def assess(self, window: WindowType, step: Step, since: float, wait: float) -> Readiness:
         """Judge a window for a step."""
 
     def place_of(self, window: WindowType) -> float | None:
-        """Return at what a step is done as the window shows it; None where it does not show."""
+        """Return the pin angle or probe of a step by the window; None where the window has none."""
         return None
 
     @abstractmethod
@@ -220,55 +220,55 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     @abstractmethod
     def used_settings(self) -> FileType:
-        """Return the settings with what was found while the readings were taken."""
+        """Return the settings with the values found while the readings were taken."""
 
     @abstractmethod
     def facts(self) -> dict[str, Any]:
-        """Return what the record tells of the plan."""
+        """Return the keys of the plan in the record."""
 
     @abstractmethod
     def fitted(self) -> Outcome:
         """Fit and check all readings."""
 
-    # --- what a face shows -----------------------------------------------------------------------
+    # --- display ---------------------------------------------------------------------------------
 
     @abstractmethod
     def expected(self) -> float:
-        """Return what should be felt at the present step: N, m."""
+        """Return the expected value at the present step: N, m."""
 
     @abstractmethod
     def describe(self, reading: TakenReading) -> str:
-        """Return what names a reading among the others, in words."""
+        """Return the name of a reading among the others."""
 
     @abstractmethod
     def cells(self, reading: TakenReading) -> tuple[str, ...]:
-        """Return what a reading was taken at, for a table."""
+        """Return the load, angle or position of a reading, for a table."""
 
     @abstractmethod
-    def told_live(self, readiness: Readiness) -> str:
-        """Return what the signals say now, in words."""
+    def live_words(self, readiness: Readiness) -> str:
+        """Return the present signals in words."""
 
     def compared(self, readiness: Readiness) -> Readiness:
-        """Return it, or what to check in its place where what is felt cannot be."""
+        """Return it, or a hint in its place where the measured value cannot be."""
         return readiness
 
     @abstractmethod
     def recorded(self, readiness: Readiness) -> str:
-        """Return what was recorded, in words; found before it was taken."""
+        """Return the values to be recorded, in words."""
 
     @abstractmethod
     def residuals(self) -> ResidualsSoFar:
         """Fit the readings so far, for the plot."""
 
     def typed(self, answer: str) -> float | None:
-        """Return what the operator read off, SI; raise ProcedureError for what is no answer."""
+        """Return the value that the operator read off, SI; raise ProcedureError for no number."""
         if answer:
             raise ProcedureError("Enter, b, r, n or q.")
         return None
 
     @property
     def reference_is_due(self) -> bool:
-        """Tell whether now an angle reference is to be entered, not a reading to be recorded."""
+        """Return whether the step needs an angle reference instead of a reading."""
         procedure = self.procedure
         return not procedure.done and procedure.step.kind is StepKind.ANGLE_REFERENCE
 
@@ -279,7 +279,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             before = -math.inf if self.newest is None else self.newest.newest
             if math.isnan(self._since) or newest < before:
                 self._since = newest
-                self._preloaded = self._told_preload(newest)
+                self._preloaded = self._preload_time(newest)
         self.newest = window
         if procedure.done:
             readiness = self.assess(window, procedure.steps[-1], math.nan, 0.0)
@@ -292,27 +292,27 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             return 0.0
         return step.due - (self._since - self._preloaded) if step.due else step.wait
 
-    def _told_preload(self, newest: float) -> float:
-        """Return the device time of the last preload, of which the journal tells only the UTC."""
-        told = (self.procedure.told("exercised") or {}).get("time")
-        return math.nan if told is None else newest - (time.time() - float(told))
+    def _preload_time(self, newest: float) -> float:
+        """Return the device time of the last preload, whose UTC alone is in the journal."""
+        started = (self.procedure.told("exercised") or {}).get("time")
+        return math.nan if started is None else newest - (time.time() - float(started))
 
     @property
     def takes_itself(self) -> bool:
-        """Tell whether the step is read when it is due, without a word of the operator."""
+        """Return whether the step is read when it is due, without a command of the operator."""
         procedure = self.procedure
         return self._patient and not procedure.done and procedure.step.due > 0.0
 
     def changed_at(self, time_s: float) -> None:
-        """Take note of the device time at which something was changed (a simulated hand knows)."""
+        """Set the device time of the last change, which is known of a simulated operator."""
         self._since = time_s
 
-    # --- what the operator does ------------------------------------------------------------------
+    # --- actions of the operator -----------------------------------------------------------------
 
     def take(self, window: WindowType, at: float | None = None) -> None:
         """Take the step under way with a window that is ready; raise ProcedureError when not.
 
-        at: what the operator read off (a micrometer), SI; without it, the step's.
+        at: value that the operator read off (a micrometer), SI; without it, the step's.
         """
         readiness = self.look(window)
         if not readiness.ready:
@@ -337,7 +337,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             self._preloaded = window.newest
 
     def leave_out(self) -> None:
-        """Do without the series under way; raise ProcedureError where it is needed."""
+        """Skip the series under way; raise ProcedureError where it is needed."""
         self.adopt(self.procedure.leave_out())
 
     def _in_time(self, newest: float) -> float:
@@ -374,7 +374,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         self.procedure = after
 
     def close(self) -> None:
-        """Let the journal go; it can be taken up again. One in which nothing was done goes."""
+        """Close the journal; it can be resumed. An empty one is deleted."""
         if len(self.procedure.events) == 1:
             self.journal.path.unlink(missing_ok=True)
         self.journal.close()
@@ -388,7 +388,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         return self.fitted().against(self.former())
 
     def former(self) -> Record | None:
-        """Return the record that the rig file names for what is calibrated, None without one."""
+        """Return the record that the rig file names for this subject, None without one."""
         return None
 
     def save(self, outcome: Outcome, to: Path) -> Outcome:
@@ -400,13 +400,13 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         taken = {**self._source(), **self.facts(), "events": events}
         if self.rig.file is not None:
             taken["wiring"] = wiring_of(read_rig(self.rig.file).record)
-        text, given = self.readings_csv(), self.used_settings()
-        found = outcome.as_found[0]
-        keep_record(to, outcome.kind, text, given, outcome.result, taken, found)
+        text, settings = self.readings_csv(), self.used_settings()
+        as_found = outcome.as_found[0]
+        keep_record(to, outcome.kind, text, settings, outcome.result, taken, as_found)
         return replace(outcome, saved=to)
 
     def rows(self) -> list[Row]:
-        """Return the readings that stand, as ``read_table`` returns them from the record's CSV.
+        """Return the valid readings, as ``read_table`` returns them from the record's CSV.
 
         The values are those of the CSV, so that the sealed readings give the same result again.
         """
@@ -429,7 +429,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
 
 def window_times(view: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what every window has in the engine's answer to ``signals``, without its signals."""
+    """Return the common part of every window in the engine's answer to ``signals``."""
     return {
         "time": np.array(view["end"], dtype=np.float64) / view["sample_rate_Hz"],
         "stands": bool(view["stands"]),

@@ -1,4 +1,4 @@
-"""Runs of the spindle for a calibration: one short test at each speed, taken up after a break.
+"""Runs of the spindle for a calibration: one short test at each speed, resumed after a break.
 
 Each is a test with a file of its own, beside the record; both stay there.
 """
@@ -23,7 +23,7 @@ from rigapp.texts import say
 
 IDLE = frozenset(state.value for state in (*ENDED, *AT_REST, RunState.CALIBRATING))
 SLOWEST_RPM = 0.5
-"""Slower no spindle turns evenly."""
+"""No spindle turns evenly below this speed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,19 +41,19 @@ class SpindleRun:
 
     @property
     def out(self) -> Path:
-        """Return the file of what is recorded."""
+        """Return the recorded file."""
         return self.stem.with_name(f"{self.stem.name}.h5")
 
 
 class SpindleRuns:
-    """Take one run after the other, whatever engine is asked and however it is waited for.
+    """Take one run after the other, with any engine and any way of waiting.
 
-    A run that is recorded whole is not taken again. The file of one that was cut off is set aside,
-    and the run is taken again; one that an engine still records is waited for.
+    A complete run is not taken again. The file of one that was cut off is set aside, and the run is
+    taken again; one that an engine still records is waited for.
     """
 
     def __init__(self, runs: Sequence[SpindleRun], what: str) -> None:
-        """Take the runs and what they are, in words.
+        """Take the runs; what: their name in words.
 
         Raises UnusableInput for a test that cannot be, or a file that comes from something else.
         """
@@ -73,7 +73,7 @@ class SpindleRuns:
 
     @property
     def done(self) -> bool:
-        """Tell whether every run is recorded."""
+        """Return whether every run is recorded."""
         return self.position >= len(self.runs)
 
     @property
@@ -87,12 +87,12 @@ class SpindleRuns:
         return sum(run.test.run.revolutions for run in self.runs[: self.position]) + self._now
 
     def forget(self) -> None:
-        """Take note that the engine refused what ``go_on`` asked for."""
+        """Forget the last request of ``go_on``, which the engine refused."""
         self._begun, self._now = False, 0
 
     @property
     def turning(self) -> bool:
-        """Tell whether a run was begun and has not ended as far as is known."""
+        """Return whether a run was begun and has not ended as far as is known."""
         return self._begun
 
     @property
@@ -101,9 +101,9 @@ class SpindleRuns:
         return [run.out for run in self.runs]
 
     def go_on(self, status: Mapping[str, Any]) -> Action | None:
-        """Return what to ask of the engine whose status this is; None to look again.
+        """Return the next request to the engine with this status; None to wait.
 
-        ``words`` then say how it goes. Raises UnusableInput when a run has failed.
+        ``words`` then hold the progress. Raises UnusableInput when a run has failed.
         """
         run = self.runs[self.position]
         planned, done = run.test.run.revolutions, int(status["revolution"])
@@ -150,7 +150,7 @@ class SpindleRuns:
 
 
 def _is_whole(out: Path) -> bool:
-    """Tell whether a run is recorded whole; set its file aside where it was cut off."""
+    """Return whether a run is complete; set its file aside where it was cut off."""
     from rigapp.storage import open_test
 
     if not out.exists():

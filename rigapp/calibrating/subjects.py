@@ -1,6 +1,6 @@
-"""What can be calibrated: one table.
+"""The table of calibration types.
 
-A new subject is an entry here, and what the entry names: its fit and checks (``calibration``), its
+A new subject is an entry here, and its parts: its fit and checks (``calibration``), its
 result and, if it is taken step by step, its session (beside this module), the sections of its
 certificate, and where a rig file names its records (``records_in_use``). The command line has one
 function for its options (``rigapp.cli``), the window one for its pages (``rigapp.gui.wizard``).
@@ -46,11 +46,11 @@ from rigapp_calibration.taking.readings import read_table
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """One thing that can be calibrated.
+    """One calibration type.
 
-    name: of the verb, with blanks. plan (what is asked for by name, settings): what is taken live;
-    raises UnusableInput. kinds: of its records. columns: of its readings. settings: of
-    its file. fit (readings as CSV, settings, where they are from, which of several): raises
+    name: of the verb, with blanks. plan (choices by name, settings): of live readings; raises
+    UnusableInput. kinds: of its records. columns: of its readings. settings: of its file.
+    fit (readings as CSV, settings, where they are from, which of several): raises
     ReadingsError or UnusableInput; None where the readings are test files. session: with live
     readings step by step, None for others. certificate: of a record's content. place: where a rig
     file names its records, None for a check that changes nothing there, and for free channels, of
@@ -69,21 +69,21 @@ class Subject:
     fastest_rpm: float = 0.0
 
 
-def _fit_load_cell(text: str, given: LoadCellFile, where: str, which: str) -> Outcome:
-    return fit_load_cell(read_table(text, LOAD_CELL_COLUMNS), given, where)
+def _fit_load_cell(text: str, file: LoadCellFile, where: str, which: str) -> Outcome:
+    return fit_load_cell(read_table(text, LOAD_CELL_COLUMNS), file, where)
 
 
-def _fit_probes(text: str, given: ProbeFile, where: str, which: str) -> Outcome:
-    """Fit one probe (the readings do not tell which), or a pair, whose series are 1.x and 2.x."""
+def _fit_probes(text: str, file: ProbeFile, where: str, which: str) -> Outcome:
+    """Fit one probe, whichever it is, or a pair, whose series are 1.x and 2.x."""
     if which not in WHICH_PROBES:
         raise UnusableInput("--probe {}: choose {}.", which, joined(", ", WHICH_PROBES))
     rows = read_table(text, PROBE_COLUMNS)
-    return fit_probes(rows, [probe_meaning(given)] * len(WHICH_PROBES[which]))
+    return fit_probes(rows, [probe_meaning(file)] * len(WHICH_PROBES[which]))
 
 
 SUBJECTS: Mapping[str, Subject] = {
-    one.name: one
-    for one in (
+    subject.name: subject
+    for subject in (
         Subject(
             name="load cell",
             kinds=LOAD_CELL.kinds,
@@ -112,8 +112,8 @@ SUBJECTS: Mapping[str, Subject] = {
             columns=RUN_OUT_COLUMNS,
             settings=RunOutFile,
             certificate=run_out_parts,
-            plan=lambda asked, _: roll_plan(
-                asked["speeds"], REVOLUTIONS[asked["plan"]], asked["orders"]
+            plan=lambda choices, _: roll_plan(
+                choices["speeds"], REVOLUTIONS[choices["plan"]], choices["orders"]
             ),
             place=RUN_OUT,
             fastest_rpm=FASTEST_RPM,
@@ -139,7 +139,7 @@ SUBJECTS: Mapping[str, Subject] = {
 
 def subject_of(kind: str) -> Subject:
     """Return the subject whose records are of a kind; raise UnusableInput for an unknown kind."""
-    known = {one: subject for subject in SUBJECTS.values() for one in subject.kinds}
+    known = {known_kind: subject for subject in SUBJECTS.values() for known_kind in subject.kinds}
     if kind not in known:
         raise UnusableInput(
             "the record is of the kind {}, and this version knows only {}; a newer one"

@@ -1,7 +1,7 @@
-"""Simulated hands, on a simulated rig: what they do at a step, and the mistakes to practise.
+"""The training mode on a simulated rig: the simulated operator's actions, and mistakes to practise.
 
 A simulated rig has no technician; the engine's verb ``hand`` turns its pin, hangs its weights and
-sets its micrometers. A practice says which of them a step asks for.
+sets its micrometers. A ``Training`` returns the actions of a step.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ Actions = tuple[Action, ...]
 class Training:
     """How a calibration is practised.
 
-    mistakes: to be planted, the first of them none. prepare: what makes the rig ready; the engine
-    puts it together when the calibration ends. plant: what begins a mistake at the rig and ends all
-    others. act (session, mistake, since): what the hands do for the step under way, ``since``: the
-    step at which the mistake began.
+    mistakes: to choose from, the first of them none. prepare: makes the rig ready; the engine puts
+    it together when the calibration ends. plant: begins a mistake at the rig and ends all others.
+    act (session, mistake, since): the actions of the step under way, ``since``: the step at which
+    the mistake began.
     """
 
     mistakes: type[enum.StrEnum]
@@ -47,7 +47,7 @@ class Training:
 
 
 class NoMistake(enum.StrEnum):
-    """Where simulated hands have nothing to do, they make no mistake."""
+    """The choices where the simulated operator has nothing to do."""
 
     NONE = "none"
 
@@ -78,22 +78,21 @@ BARE_PIN: Actions = (
     _hand("take_off_follower"),
     *(_hand("turn_pin", angle_deg=at) for at in ONCE_ROUND),
 )
-"""What makes the simulated rig ready: follower off, once past the encoder's index."""
+"""Prepares the simulated rig: follower off, once past the encoder's index."""
 
 
 def _plant_fault(mistake: WeighingMistake) -> Actions:
-    """Begin a mistake at the rig; a wrong weight is a matter of what is hung."""
+    """Begin a mistake at the rig; a wrong weight is hung by ``_weigh``."""
     ends = tuple(Action("clear_fault", {"kind": kind}) for kind in MISTAKES)
     kind = _FAULTS.get(mistake)
     return (*ends, Action("inject_fault", {"kind": kind})) if kind else ends
 
 
 def _weigh(session: Any, mistake: WeighingMistake, since: int) -> Actions:
-    """Bring pin and weights to where the step wants them.
+    """Bring pin and weights to the state of the step.
 
-    Wherever they are, since a step may be the first one after a restart. Nobody waits for the
-    creep: it is said how long the weight hangs. A wrong weight: half a piece less, or a kilogram
-    too much.
+    From any state, since a step may be the first one after a restart. The creep needs no waiting:
+    the time of loading is passed on. A wrong weight: half a piece less, or a kilogram too much.
     """
     procedure, settings = session.procedure, session.settings
     if procedure.done:
@@ -128,7 +127,7 @@ LOAD_CELL_PRACTICE = Training(
 BACKLASH_UM = 15.0
 DRIFT_UM = 1.0
 TOO_FAR = 2.5
-"""Mistakes of the size that a technician makes: each is surely named by the checks."""
+"""Mistakes of the size that a technician makes: the checks detect each of them."""
 
 
 class MicrometerMistake(enum.StrEnum):
@@ -164,8 +163,8 @@ def _turn_micrometer(session: Any, mistake: MicrometerMistake, since: int) -> Ac
 
 
 def _with_mistake(procedure: Procedure[Any], mistake: MicrometerMistake, since: int) -> float:
-    """Return where a micrometer is set, um."""
-    step, here = procedure.step, procedure.position
+    """Return the setting of a micrometer, um."""
+    step, position = procedure.step, procedure.position
     wanted, size = 1e6 * step.value, 1e6 * float(procedure.plan.step_size)
     if mistake is MicrometerMistake.WRONG_POSITION and _first_time(procedure, since):
         return wanted + 0.3 * size
@@ -178,15 +177,15 @@ def _with_mistake(procedure: Procedure[Any], mistake: MicrometerMistake, since: 
     if mistake is MicrometerMistake.TOO_FAR:
         return TOO_FAR * wanted
     if mistake is MicrometerMistake.DRIFT:
-        return wanted + DRIFT_UM * (here - since)
+        return wanted + DRIFT_UM * (position - since)
     return wanted
 
 
 def _first_time(procedure: Procedure[Any], since: int) -> bool:
-    """Tell whether the step is the first reading from ``since`` on, and is not taken again."""
-    readings = (i for i, one in enumerate(procedure.steps) if one.kind is StepKind.READING)
+    """Return whether the step is the first reading from ``since`` on, and is not taken again."""
+    readings = (i for i, step in enumerate(procedure.steps) if step.kind is StepKind.READING)
     first = next((index for index in readings if index >= since), -1)
-    taken = any(one.step == first for one in procedure.taken)
+    taken = any(reading.step == first for reading in procedure.taken)
     return procedure.position == first and not taken
 
 

@@ -1,8 +1,8 @@
-"""Does a record follow from its own readings? They are fitted again and compared with its result.
+"""Verify that a record follows from its own readings: fit them again and compare the results.
 
-A digest shows that a record is what was sealed, not that what was sealed is true: whoever can write
-a record can seal one. What is applied to every sample must therefore follow from the readings that
-stand beside it.
+A digest shows that a record is unchanged since it was sealed, not that it is true: whoever can
+write a record can seal one. The numbers applied to every sample must therefore follow from the
+readings beside them.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ from rigapp_calibration.taking.readings import read_table
 SAME = 1e-6
 """Relative: a fit repeats to rounding, some 1e-12 on any computer; a certificate prints 1e-5."""
 NOTHING = 1e-12
-"""What is smaller than this in its unit is rounding: quadratic terms that matter are above 1e-8."""
+"""Smaller values in their unit are rounding: relevant quadratic terms are above 1e-8."""
 ZEROS_BY_SERIES = 3
 """The evaluation from which on each series of the load cell has its own zero."""
 ALIKE = 1e-3
-"""Relative, between evaluations: a tenth of what the best class of ISO 376 in reach (1) allows."""
+"""Relative, between evaluations: a tenth of the limit of the best class in reach (1) of ISO 376."""
 
 Content = Mapping[str, Any]
 Result = Mapping[str, Any]
@@ -47,7 +47,7 @@ Result = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Verification:
-    """What came of fitting the stored readings again.
+    """The result of fitting the stored readings again.
 
     compared: how many numbers. differences: sentences, none when all agree. unverified: sentences
     on what could not be compared.
@@ -60,9 +60,9 @@ class Verification:
 
 @dataclass(frozen=True, slots=True)
 class _Kind:
-    """How records of a kind are fitted again.
+    """The repeated fit of records of a kind.
 
-    applied: keys of the result that samples get. of_samples: keys of what only the samples tell,
+    applied: keys of the result that samples get. of_samples: keys that follow from samples only,
     which are not in a record.
     """
 
@@ -72,14 +72,14 @@ class _Kind:
 
 
 def _load_cell(content: Content) -> Result:
-    given = msgspec.convert(content["settings"], LoadCellFile)
+    settings = msgspec.convert(content["settings"], LoadCellFile)
     rows = read_table(content["readings_csv"], LOAD_CELL_COLUMNS)
-    again = fit_load_cell(rows, given, say("the record's settings")).result
+    again = fit_load_cell(rows, settings, say("the record's settings")).result
     if content.get("evaluation", 1) >= ZEROS_BY_SERIES:
         return again
-    # Of the first evaluation the words alone say whether the drift was fitted.
-    told = "drift" in content["result"].get("terms", "") if "evaluation" not in content else None
-    return {**again, **applied_by_former(rows, given, told)}
+    # In the first evaluation only the words show whether the drift was fitted.
+    drift = "drift" in content["result"].get("terms", "") if "evaluation" not in content else None
+    return {**again, **applied_by_former(rows, settings, drift)}
 
 
 def _probes(content: Content) -> Result:
@@ -90,8 +90,8 @@ def _probes(content: Content) -> Result:
 
 
 def _channel(content: Content) -> Result:
-    given = msgspec.convert(content["settings"], ChannelFile)
-    return fit_channel(content["readings_csv"], given, "", "").result
+    settings = msgspec.convert(content["settings"], ChannelFile)
+    return fit_channel(content["readings_csv"], settings, "", "").result
 
 
 KINDS: Mapping[str, _Kind] = {
@@ -108,9 +108,9 @@ KINDS: Mapping[str, _Kind] = {
 
 @lru_cache(maxsize=32)
 def verified(data: bytes) -> Verification:
-    """Return what comes of fitting a sealed record's readings again; raise RecordError.
+    """Return the verification of a sealed record; raise RecordError.
 
-    A signature that does not hold is a difference.
+    An invalid signature is a difference.
     """
     record = unseal(data)
     verification = verify(record)
@@ -127,9 +127,9 @@ def verified(data: bytes) -> Verification:
 
 
 def verify(record: Record) -> Verification:
-    """Fit the readings of a record again and compare with what it states.
+    """Fit the readings of a record again and compare the result.
 
-    What an unknown evaluation means by its numbers cannot be known: that is a difference.
+    The numbers of an unknown evaluation cannot be checked: that is a difference.
     """
     content, kind = record.content, KINDS.get(record.kind)
     if kind is None or not content.get("readings_csv"):
@@ -150,43 +150,43 @@ def verify(record: Record) -> Verification:
 
 
 def _compare(record: Record, kind: _Kind, again: Result) -> Verification:
-    """Compare what a record states with what its readings gave again."""
+    """Compare the result of a record with the repeated one."""
     content = record.content
     same = record.evaluation == EVALUATION
-    stated, found = dict(numbers(content["result"])), dict(numbers(again))
+    stated, computed = dict(numbers(content["result"])), dict(numbers(again))
     keys = [
-        one for one in (stated | found if same else stated) if same or _name(one) in kind.applied
+        key for key in (stated | computed if same else stated) if same or _name(key) in kind.applied
     ]
-    keys = [one for one in keys if _name(one) not in kind.of_samples]
+    keys = [key for key in keys if _name(key) not in kind.of_samples]
     within = SAME if same else ALIKE
-    differences = tuple(_differences(keys, stated, found, within))
-    refused = tuple(one["sentence"] for one in again["problems"] if one["blocks"])
+    differences = tuple(_differences(keys, stated, computed, within))
+    refused = tuple(problem["sentence"] for problem in again["problems"] if problem["blocks"])
     if same:
-        differences += tuple(say("Its readings are refused: {}", one) for one in refused)
+        differences += tuple(say("Its readings are refused: {}", sentence) for sentence in refused)
         return Verification(len(keys), differences)
     return Verification(len(keys), differences, tuple(_of_another(record, again, refused)))
 
 
 def numbers(value: Any, name: str = "") -> Iterator[tuple[str, tuple[float, ...]]]:
-    """Yield every key of a result whose value is numbers, flat, with its whole name.
+    """Yield every key of a result whose value is numbers, flat, with its full name.
 
     Numbers that are missing (None) are an empty tuple.
     """
     if isinstance(value, Mapping):
-        for key, one in value.items():
+        for key, item in value.items():
             if key not in ("accepted", "problems"):
-                yield from numbers(one, f"{name}.{key}" if name else str(key))
-    elif isinstance(value, list) and any(isinstance(one, Mapping) for one in value):
-        for place, one in enumerate(value, 1):
-            yield from numbers(one, f"{name}.{place}")
+                yield from numbers(item, f"{name}.{key}" if name else str(key))
+    elif isinstance(value, list) and any(isinstance(item, Mapping) for item in value):
+        for number, item in enumerate(value, 1):
+            yield from numbers(item, f"{name}.{number}")
     elif not isinstance(value, str):
         yield name, tuple(_flat(value))
 
 
 def _flat(value: Any) -> Iterator[float]:
     if isinstance(value, Sequence) and not isinstance(value, str):
-        for one in value:
-            yield from _flat(one)
+        for item in value:
+            yield from _flat(item)
     elif value is not None:
         yield float(value)
 
@@ -198,28 +198,28 @@ def _name(key: str) -> str:
 def _differences(
     keys: Sequence[str],
     stated: Mapping[str, tuple[float, ...]],
-    found: Mapping[str, tuple[float, ...]],
+    computed: Mapping[str, tuple[float, ...]],
     within: float,
 ) -> Iterator[str]:
     for key in keys:
         if key not in stated:
             yield say("{}: the record does not state this number of its readings.", key)
             continue
-        if key not in found:
+        if key not in computed:
             yield say("{}: its readings do not give this number.", key)
             continue
-        one, other = stated[key], found[key]
-        if len(one) != len(other):
+        old, new = stated[key], computed[key]
+        if len(old) != len(new):
             yield say(
-                "{}: the record states {} numbers, its readings give {}.", key, len(one), len(other)
+                "{}: the record states {} numbers, its readings give {}.", key, len(old), len(new)
             )
             continue
-        size = max(map(abs, (*one, *other)), default=0.0)
-        off = [abs(a - b) for a, b in zip(one, other, strict=True)]
+        size = max(map(abs, (*old, *new)), default=0.0)
+        off = [abs(a - b) for a, b in zip(old, new, strict=True)]
         if off and max(off) > within * size + NOTHING:
             at = off.index(max(off))
             yield say(
-                "{}: the record states {:.9g}, its readings give {:.9g}.", key, one[at], other[at]
+                "{}: the record states {:.9g}, its readings give {:.9g}.", key, old[at], new[at]
             )
 
 
@@ -240,5 +240,5 @@ def _of_another(record: Record, again: Result, refused: Sequence[str]) -> Iterat
     yield say(
         "It was made by evaluation {}, this program has {}{}.", record.evaluation, EVALUATION, words
     )
-    for one in refused:
-        yield say("Today's checks would refuse its readings: {}", one)
+    for sentence in refused:
+        yield say("Today's checks would refuse its readings: {}", sentence)

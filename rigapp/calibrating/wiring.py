@@ -1,4 +1,4 @@
-"""Which cell or probes a record is of, and by which line they were read: it holds for no other."""
+"""The cell or probes of a record, and the measuring line: a record holds for no other."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ SECTIONS: Final[Mapping[str, str]] = {
     "probe": "probes",
     "probe pair": "probes",
 }
-"""Kind of a record -> section of the rig file that it is for; other kinds are bound otherwise."""
+"""Kind of a record -> its section of the rig file; other kinds are bound otherwise."""
 
 _OTHER_LINE: Final = frozenset({"record", "reply_timeout_s", "poll_interval_s", "block_s"})
 """Settings of a device that change no value."""
 
 
 def wiring_of(rig: RigFile) -> dict[str, dict[str, Any]]:
-    """Return what a value of load cell and probes depends on beside them, by section.
+    """Return the measuring lines of load cell and probes, by section.
 
-    Driver, serial number and settings of the device, range and inputs, as the rig file says them.
+    Driver, serial number and settings of the device, range and inputs, by the rig file.
     """
     return {name: _line(rig, getattr(rig, name)) for name in dict.fromkeys(SECTIONS.values())}
 
@@ -30,21 +30,21 @@ def wiring_of(rig: RigFile) -> dict[str, dict[str, Any]]:
 def _line(rig: RigFile, section: LoadCellSection | ProbesSection) -> dict[str, Any]:
     device = rig.devices[section.device]
     ranged = "range_mV_per_V" if isinstance(section, LoadCellSection) else "range_V"
-    settings = {key: one for key, one in device.settings.items() if key not in _OTHER_LINE}
+    settings = {key: value for key, value in device.settings.items() if key not in _OTHER_LINE}
     return {
         "driver": device.driver,
         "serial_number": device.serial_number,
         "input_1": section.input_1,
         "input_2": section.input_2,
         ranged: getattr(section, ranged),
-        **{f"settings.{key}": one for key, one in sorted(settings.items())},
+        **{f"settings.{key}": value for key, value in sorted(settings.items())},
     }
 
 
 def foreign(kind: str, content: Mapping[str, Any], rig: RigFile) -> Iterator[str]:
-    """Yield what of a record is of another cell or another line than the rig file names.
+    """Yield the differences of a record's cell and line from those of the rig file.
 
-    content: of the record. Readings that came as a table, and records of before, say no line.
+    content: of the record. Readings that came as a table, and older records, have no line.
     """
     section = SECTIONS.get(kind)
     if section is None:
@@ -56,9 +56,9 @@ def foreign(kind: str, content: Mapping[str, Any], rig: RigFile) -> Iterator[str
         return
     before, now = taken[section], _line(rig, getattr(rig, section))
     for key in sorted({*before, *now}):
-        one, other = before.get(key), now.get(key)
-        if _plain(one) != _plain(other):
-            yield say("was taken with {} = {}, the rig file says {}", key, _told(one), _told(other))
+        old, new = before.get(key), now.get(key)
+        if _plain(old) != _plain(new):
+            yield say("was taken with {} = {}, the rig file says {}", key, _text(old), _text(new))
 
 
 def _another_cell(content: Mapping[str, Any], named: str) -> Iterator[str]:
@@ -76,5 +76,5 @@ def _plain(value: Any) -> Any:
     return list(map(_plain, value)) if isinstance(value, list | tuple) else value
 
 
-def _told(value: Any) -> Any:
+def _text(value: Any) -> Any:
     return say("nothing") if value in (None, "") else value

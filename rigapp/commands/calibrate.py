@@ -77,7 +77,7 @@ def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
     if as_json:
         as_found = outcome.as_found[0]
         print(json.dumps({**outcome.result, **({"as_found": as_found} if as_found else {})}))
-    elif outcome.accepted or outcome.told_always:
+    elif outcome.accepted or outcome.always_shown:
         print("".join(f"{line}\n" for line in (*outcome.lines, *outcome.as_found[1])), end="")
     for problem in () if as_json else outcome.result["problems"]:
         mark = "" if problem["blocks"] else "note: "

@@ -1,4 +1,4 @@
-"""What certificates say beside the identification, by subject; plots and pages of their own.
+"""The parts of certificates beside the identification, by subject; their plots and pages.
 
-Takes the content of a record, gives parts of a page; knows nothing of sessions or records.
+Takes the content of a record, returns parts of a page; independent of sessions and records.
 """

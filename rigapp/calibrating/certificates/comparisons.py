@@ -1,4 +1,4 @@
-"""What certificates of a comparison say: a free channel with its reference, a pin that turns.
+"""Certificates of a comparison: a free channel with its reference, a pin that turns.
 
 The running check compares the pin's inertia force with the reading of the load cell.
 """
@@ -14,7 +14,7 @@ from rigapp_calibration.taking.readings import read_table
 
 
 def channel_parts(content: Content) -> Parts:
-    """Return what the certificate of a channel says."""
+    """Return the parts of the certificate of a channel."""
     result = content["result"]
     readings = channel_table(read_table(content["readings_csv"], CHANNEL_COLUMNS))
     settings, unit = content["settings"], result["unit"]

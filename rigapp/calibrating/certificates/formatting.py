@@ -1,4 +1,4 @@
-"""What certificates are made of: their parts, plots and pages, the same bytes each time."""
+"""The parts, plots and pages of certificates, the same bytes each time."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """What is particular in the certificate of a subject.
+    """The parts that a subject adds to a certificate.
 
-    statements: method, and what the results do not say. tables: of the results. heading: of the
-    figures. calibrated: the range that was calibrated, in words. conditions: rows of what
-    else was around. uncertainty: budgets. readings: the tables at the end.
+    statements: method, and limits of the results. tables: of the results. heading: of the figures.
+    calibrated: the range that was calibrated, in words. conditions: rows of further conditions.
+    uncertainty: budgets. readings: the tables at the end.
     """
 
     statements: Sequence[str]
@@ -51,7 +51,7 @@ def say(template: str, content: Content, otherwise: str = UNSTATED) -> str:
 
 
 def rows_of(lines: Mapping[str, str], content: Content, otherwise: str = UNSTATED) -> list[Row]:
-    """Return rows of a name and what a record says of it; lines: name -> template."""
+    """Return rows of a name and its filled template; lines: name -> template."""
     return [(name, say(line, content, otherwise)) for name, line in lines.items()]
 
 
@@ -79,7 +79,7 @@ def elements(letter: str, content: Content, columns: Mapping[str, str]) -> list[
 def budget_table(title: str, result: Content, unit: str, shown: str) -> list[Table]:
     """Return the budget of a result: its parts with type, distribution, degrees of freedom.
 
-    unit: in the keys of the result; shown: on the page. Records of before state names and sizes
+    unit: in the keys of the result; shown: on the page. Older records state names and sizes
     only; none where there is no budget.
     """
     lines = result.get("budget")
@@ -91,7 +91,7 @@ def budget_table(title: str, result: Content, unit: str, shown: str) -> list[Tab
         "type": "",
         "distribution": "",
         "degrees_of_freedom": result.get("effective_degrees_of_freedom", UNSTATED),
-        key: math.hypot(*(one[key] for one in lines)),
+        key: math.hypot(*(line[key] for line in lines)),
     }
     expanded = {
         **of_all,
@@ -107,8 +107,8 @@ def budget_table(title: str, result: Content, unit: str, shown: str) -> list[Tab
         f"u, {shown}": "{size}",
     }
     items = (
-        {**one, "degrees": _degrees(one), "size": by_uncertainty(one[key], expanded[key], 1)}
-        for one in (*lines, of_all, expanded)
+        {**line, "degrees": _degrees(line), "size": by_uncertainty(line[key], expanded[key], 1)}
+        for line in (*lines, of_all, expanded)
     )
     return [table(title, columns, items)]
 
@@ -144,7 +144,7 @@ def write_page(
     document: Callable[[], Manuscript],
     others: Mapping[str, Callable[[], bytes]] | None = None,
 ) -> None:
-    """Write a document as its ending says, .pdf or .html, or as one of others; UnusableInput."""
+    """Write a document by its suffix, .pdf or .html, or one of others; raise UnusableInput."""
     from rigapp.report.page.document import as_html
     from rigapp.report.page.pdf import as_pdf
 

@@ -1,4 +1,4 @@
-"""What the certificate of a load cell says beside the identification."""
+"""The parts of a load cell's certificate beside the identification."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ SELDOM = {
     "dead_zone_percent": "; held back {dead_zone_percent:g} % of full scale",
     "largest_force_N": "; forces up to {largest_force_N:g} N",
 }
-"""What U contains of a time after the calibration, each at most so much."""
+"""The contributions to U after the calibration, each with its limit."""
 OF_CALIBRATION = (
     "The expanded uncertainty of the calibration, of one reading at the time and in the conditions"
     " named, is U(F) = {line} with a coverage factor k = {factor} at {load} N (about 95 %)."
@@ -103,7 +103,7 @@ HOLDS_THEN = "It holds for the conditions and the time of the calibration."
 
 
 def load_cell_parts(content: Content) -> Parts:
-    """Return what the certificate of a load cell says."""
+    """Return the parts of the certificate of a load cell."""
     result, taken = content["result"], parse_load_cell(content["readings_csv"])
     loads = _loads(content, taken)
     least, most, full = loads[0]["load"], loads[-1]["load"], result["full_scale_N"]
@@ -111,14 +111,14 @@ def load_cell_parts(content: Content) -> Parts:
     own = result.get("of_calibration")
     budgets = [
         budget_table(
-            f"{title}Budget of one reading of {what} at {_short(at, full)} N{mark}", one, "N", "N"
+            f"{title}Budget of one reading of {what} at {_short(at, full)} N{mark}", sums, "N", "N"
         )
         for title, of, at, mark in (
             ("Calibration: ", own and _used(own), _largest(own), ""),
             ("In use: " if own else "", result, full, extrapolated),
         )
         if of
-        for what, one in (
+        for what, sums in (
             ("a component in its worst direction", of),
             ("|F|", of.get("magnitude", {})),
         )
@@ -129,19 +129,19 @@ def load_cell_parts(content: Content) -> Parts:
         [_results(loads, result), *_cell_tables(content)],
         _cell_figures(taken, result),
         calibrated=f"{_load(least, full)} N to {_load(most, full)} N, {len(loads)} loads at"
-        f" {len(angles)} pin angles ({', '.join(f'{one:.0f}' for one in angles)}°).",
+        f" {len(angles)} pin angles ({', '.join(f'{angle:.0f}' for angle in angles)}°).",
         conditions=_conditions(content["settings"], result.get("creep")),
         uncertainty=[
             *_by_load(own or {}, most, full, "of the calibration"),
             *_by_load(result, most, full, "in use" if own else ""),
-            *(one for budget in budgets for one in budget),
+            *(table for budget in budgets for table in budget),
         ],
         readings=[_readings_table(taken, result), *_hung_table(taken)],
     )
 
 
 def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
-    """Return what the cell indicates at each load with the calibration that is certified, N.
+    """Return the indication at each load with the certified calibration, N.
 
     Means over the pin angles, along the load and across it; largest: error of a single reading.
     """
@@ -155,7 +155,7 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
     )
     offset = math.radians(content["settings"]["angle"]["offset_deg"] or 0.0)
     along = pin_force(np.ones(len(taken)), taken.angle, offset)
-    # What turns with the pin hangs with every load; it is taken out in use as well.
+    # The weight of the pin acts with every load; it is removed in use as well.
     force = force - (result.get("pin_weight_N") or 0.0) * along
     applied = np.sum(np.array(result["applied_N"]) * along, axis=1)
     indicated = np.sum(force * along, axis=1)
@@ -163,18 +163,18 @@ def _loads(content: Content, taken: LoadCellReadings) -> list[Content]:
     off = np.hypot(indicated - applied, aside)
     items: list[Content] = []
     for mass in np.unique(taken.mass):
-        here = taken.mass == mass
-        load, shown, side = (float(one[here].mean()) for one in (applied, indicated, aside))
+        rows = taken.mass == mass
+        load, shown, side = (float(values[rows].mean()) for values in (applied, indicated, aside))
         expanded = _uncertainty(result, load)
         items.append(
             {
                 "load": load,
                 "applied": by_uncertainty(load, expanded, 1),
-                "readings": int(here.sum()),
+                "readings": int(rows.sum()),
                 "indicated": by_uncertainty(shown, expanded),
                 "error": by_uncertainty(shown - load, expanded),
                 "across": by_uncertainty(side, expanded),
-                "largest": by_uncertainty(float(off[here].max()), expanded),
+                "largest": by_uncertainty(float(off[rows].max()), expanded),
                 "expanded": by_uncertainty(expanded, expanded),
                 "mark": "",
             }
@@ -198,7 +198,7 @@ def _results(loads: Sequence[Content], result: Content) -> Table:
 def _uncertainty(result: Content, load: float) -> float:
     """Return U of one reading of a component at a load, N, between the loads it is stated for.
 
-    That of the calibration itself, where the record tells it.
+    That of the calibration itself, where the record has it.
     """
     result = result.get("of_calibration", result)
     stated = result.get("uncertainty_by_load")
@@ -210,19 +210,19 @@ def _uncertainty(result: Content, load: float) -> float:
 
 
 def _by_load(result: Content, most: float, full: float, what: str) -> list[Table]:
-    """Return U of a component, of |F| and of means at each load that is stated; what: of what."""
+    """Return U of a component, of |F| and of means at each stated load; what: for the titles."""
     items = [
         {
             **{
                 key: by_uncertainty(value, value)
                 if key.endswith(("_reading_N", "_many_N"))
                 else value
-                for key, value in one.items()
+                for key, value in row.items()
             },
-            "load": _short(one["load_N"], full),
-            "mark": EXTRAPOLATED if one["load_N"] > most + 1e-6 else "",
+            "load": _short(row["load_N"], full),
+            "mark": EXTRAPOLATED if row["load_N"] > most + 1e-6 else "",
         }
-        for one in result.get("uncertainty_by_load", ())
+        for row in result.get("uncertainty_by_load", ())
     ]
     title = f"Expanded uncertainty {what} by load, N, about 95 %".replace("  ", " ")
     return [table(title, BY_LOAD, items)] if items else []
@@ -241,8 +241,8 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
     if offset is not None:
         values["offset"] = f"offset {round(offset, 6) + 0.0:g}°"
     if len(level) == 2:
-        one, two = (math.remainder(shown, 360.0) for shown in level)
-        values["level"] = f"; level turned end for end at {one:.3f}° and {two:.3f}°"
+        first, second = (math.remainder(shown, 360.0) for shown in level)
+        values["level"] = f"; level turned end for end at {first:.3f}° and {second:.3f}°"
     gravity = say(STATED_GRAVITY, settings, say(FROM_LATITUDE, settings))
     use = settings.get("use")
     return [
@@ -253,7 +253,7 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
 
 
 def _in_use(use: Content, creep: Content | None) -> dict[str, Any]:
-    """Return what changes in use, as IN_USE shows it; what is seldom stated only where it is."""
+    """Return the contributions in use for IN_USE; seldom stated ones only where they are."""
     more = "".join(say(words, use) for key, words in SELDOM.items() if use.get(key))
     return {**use, "crept": _crept(use, creep), "more": more}
 
@@ -282,7 +282,7 @@ def _statements(content: Content, most: float) -> list[str]:
 
 
 def _uncertainties(result: Content, holds: str, beyond: str) -> list[str]:
-    """Return both statements of U; of records of before the one, and when it ``holds``."""
+    """Return both statements of U; of older records the only one, and when it ``holds``."""
     own, line = result.get("of_calibration"), _line_words(result)
     factor = f"{result['coverage_factor']:.2f}"
     if own is None:
@@ -304,7 +304,7 @@ def _line_words(result: Content) -> str:
 
 
 def _used(own: Content) -> Content:
-    """Return U of the calibration without the lines of its budgets that are of use only."""
+    """Return U of the calibration without the budget lines that belong to use."""
 
     def shown(budget: Sequence[Content]) -> list[Content]:
         return [line for line in budget if line["standard_uncertainty_N"] > 0.0]
@@ -335,15 +335,15 @@ def _common_angle(angle: Content) -> str:
 
 
 def _creep(content: Content) -> list[str]:
-    """Return how the creep was measured, or what U has in its place; nothing of old records."""
-    use, one = content["settings"].get("use"), content["result"].get("creep")
+    """Return how the creep was measured, or what U contains instead; nothing for old records."""
+    use, creep = content["settings"].get("use"), content["result"].get("creep")
     if use is None:
         return []
-    if one is None:
+    if creep is None:
         return [creep_words(None, 0.01 * use["creep_percent"])]
-    early, late = one["hung_s"]
-    half_width = 0.01 * one["half_width_percent"]
-    words = creep_words(Creep(one["load_N"], (early, late), one["change_N"], half_width), 0.0)
+    early, late = creep["hung_s"]
+    half_width = 0.01 * creep["half_width_percent"]
+    words = creep_words(Creep(creep["load_N"], (early, late), creep["change_N"], half_width), 0.0)
     return [f"{words} It was measured at one load that stayed on, after it was hung from none."]
 
 
@@ -420,7 +420,7 @@ def _quadratic(result: Content, unit: str) -> list[Table]:
     quadratic = result.get("quadratic_unit_per_N2")
     if quadratic is None:
         return []
-    # One power of ten for all: exponents of each number are hard to compare by eye.
+    # One power of ten for all: different exponents are hard to compare by eye.
     largest = max(abs(value) for row in quadratic for value in row)
     power = math.floor(math.log10(largest)) if largest > 0.0 else 0
     rows: list[Row] = [
@@ -435,9 +435,9 @@ def _quadratic(result: Content, unit: str) -> list[Table]:
 def _readings_table(taken: LoadCellReadings, result: Content) -> Table:
     expanded = result["expanded_uncertainty_N"]
     cell_rows = [
-        (name, str(step), f"{mass:g}", f"{math.degrees(angle):.3f}", f"{one:.6f}", f"{two:.6f}",
-         *(by_uncertainty(one, expanded, 1) for one in off))
-        for name, step, mass, angle, (one, two), off in zip(
+        (name, str(step), f"{mass:g}", f"{math.degrees(angle):.3f}", f"{s_1:.6f}", f"{s_2:.6f}",
+         *(by_uncertainty(residual, expanded, 1) for residual in off))
+        for name, step, mass, angle, (s_1, s_2), off in zip(
             taken.series, taken.step, taken.mass, taken.angle, taken.signal, result["residual_N"],
             strict=True,
         )

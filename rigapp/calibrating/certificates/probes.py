@@ -1,4 +1,4 @@
-"""What the certificates of a probe, of a pair of probes and of a run-out map say."""
+"""The parts of the certificates of a probe, of a pair of probes and of a run-out map."""
 
 from __future__ import annotations
 
@@ -43,13 +43,13 @@ GEOMETRY = {
     },
     "off_axis_um": {"Motion across the axis in use": "{off_axis_um:g} µm"},
 }
-"""Of the settings of a probe: a row for what is stated."""
+"""Rows of the settings of a probe, as far as they are stated."""
 ANGLES = (
     ("Probe 1 from the follower's axis", "angle", "[0]"),
     ("Probe 2 from across it", "angle", "[1]"),
     ("Angle between them less 90°", "orthogonality", ""),
 )
-"""Of the alignment: words, and where the result has it."""
+"""Rows of the alignment: words, and keys of the result."""
 METHOD = (
     "Method: micrometer steps up and down; voltage fitted as a straight line of position (least"
     " squares, best-fit line). Linearity is the largest residual over the range."
@@ -71,7 +71,7 @@ ALIGNMENT = (
 
 
 def probe_parts(content: Content) -> Parts:
-    """Return what the certificate of a probe, or of a pair, says."""
+    """Return the parts of the certificate of a probe, or of a pair."""
     each, alignment = _each(content), content["result"].get("alignment")
     return Parts(
         _statements(content),
@@ -85,8 +85,8 @@ def probe_parts(content: Content) -> Parts:
                 for name, result, _ in each
             ),
         ],
-        [_residuals(*one) for one in each],
-        calibrated=" ".join(_range(*one) for one in each),
+        [_residuals(*probe) for probe in each],
+        calibrated=" ".join(_range(*probe) for probe in each),
         conditions=_conditions(content),
         uncertainty=[
             budget
@@ -95,7 +95,7 @@ def probe_parts(content: Content) -> Parts:
                 f"{name}Budget of one position".capitalize(), result, "um", "µm"
             )
         ],
-        readings=[_readings_table(*one) for one in each],
+        readings=[_readings_table(*probe) for probe in each],
     )
 
 
@@ -130,14 +130,14 @@ def _conditions(content: Content) -> list[Row]:
 
 
 def _statements(content: Content) -> list[str]:
-    """Return method, uncertainty and what they do not cover."""
+    """Return method, uncertainty and their limits."""
     probe, pair = content["settings"]["probe"], "probes" in content["result"]
     least = "the larger one of the two probes, " if pair else ""
     texts = [METHOD, say(EXPANDED, {**content["result"], "least": least})]
     texts += (
         say(OF_MEAN, {**result, "name": name})
         for name, result, _ in _each(content)
-        if "expanded_uncertainty_of_mean_um" in result  # not in records of before
+        if "expanded_uncertainty_of_mean_um" in result  # not in older records
     )
     if not probe.get("off_axis_um"):
         texts.append(NOT_ACROSS)
@@ -194,7 +194,7 @@ TRAITS = {
     "First to last half, largest": "drift_um",
     "Not explained by the orders, standard deviation": "rest_um",
 }
-"""What the rolls showed: words -> key of the result, a number of each probe."""
+"""Results of the rolls: words -> key of the result, a number of each probe."""
 STATEMENTS = (
     "Method: whole slow revolutions, each developed in Fourier orders 1 to {orders} of the"
     " crank angle by least squares, each probe for itself; the map is their mean.",
@@ -227,7 +227,7 @@ ONE_LOAD = (
 def run_out_parts(content: Content) -> Parts:
     """Return statements, tables and figures of a record."""
     files, result = content["taken"]["files"], content["result"]
-    speeds = " and ".join(f"{one['speed_rpm']:.2f}" for one in files)
+    speeds = " and ".join(f"{file['speed_rpm']:.2f}" for file in files)
     return Parts(
         _run_out_statements(result, content["taken"]["orders"]),
         [table("Slow rolls", ROLLS, files), _orders(result), _traits(result)],
@@ -252,7 +252,7 @@ def _expanded(result: Content) -> Table:
 
 
 def _run_out_statements(result: Content, orders: int) -> list[str]:
-    """Return method, uncertainty and what a slow roll cannot tell."""
+    """Return method, uncertainty and the limits of a slow roll."""
     inertia, elastic = result["inertia_um"], result.get("elastic_um")
     texts = [*STATEMENTS, ONE_SPEED if inertia is None else SPEEDS]
     if elastic:

@@ -173,7 +173,7 @@ class Terminal:
 
     def _reference(self, session: LoadCellSession, shown: float) -> None:
         """Enter the angle reference; the operator may turn the level end for end."""
-        uncertainty = math.radians(session.given.angle.standard_uncertainty_deg)
+        uncertainty = math.radians(session.settings_file.angle.standard_uncertainty_deg)
         if self._hands is not None:
             session.reference(shown, uncertainty)
             return

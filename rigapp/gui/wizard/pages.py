@@ -103,7 +103,7 @@ class AnglePage(GuidePage):
         """Show the uncertainty of the settings."""
         session = self._live.session
         if session is not None:
-            self.uncertainty.setValue(session.given.angle.standard_uncertainty_deg)
+            self.uncertainty.setValue(session.settings_file.angle.standard_uncertainty_deg)
         self.hands.setVisible(self._live.trains)
         self._forget_first()
         self._look()
@@ -131,7 +131,7 @@ class AnglePage(GuidePage):
             return
         session, second = self._live.session, self.shown.value()
         assert session is not None
-        setting = session.given.angle.setting_standard_uncertainty_deg
+        setting = session.settings_file.angle.setting_standard_uncertainty_deg
         mean, own = 0.5 * (self._first_deg + second), 0.5 * (self._first_deg - second)
         self.first.setText(
             tr(

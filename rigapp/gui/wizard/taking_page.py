@@ -334,7 +334,7 @@ class TakingPage(GuidePage):
         if waits:
             self.take_focus()
         known = readiness is not None and not math.isnan(readiness.felt)
-        self.live.setText(translate(live.session.told_live(readiness)) if known else "")
+        self.live.setText(translate(live.session.live_words(readiness)) if known else "")
         self._show_measured(readiness if known else None)
         self._show_scene()
 
