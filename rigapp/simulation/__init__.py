@@ -1,6 +1,5 @@
 """The simulated rig: physics that the model lacks, wired to the simulated devices.
 
-Others enter by ``process`` (start it), ``handle`` (speak to it), ``constants`` (what it assumes),
-``disturbances`` and ``wire.link`` (the faults that it knows),
-``wire.ports`` (one for a device).
+Others enter by ``process`` (start it), ``handle`` (control it), ``constants`` (its assumptions),
+``disturbances`` and ``wire.link`` (its faults), ``wire.ports`` (a port for a device).
 """

@@ -19,7 +19,7 @@ from rigapp.simulation.layout import Constants
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """Hold what neither the paper nor the rig file gives: spindle, motor, velocity loop [assumed].
+    """The constants that neither paper nor rig file gives: spindle, motor, velocity loop [assumed].
 
     The torque constant makes 48 V worth 800 rpm at no load; the velocity loop is critically damped.
     """

@@ -1,4 +1,4 @@
-"""The simulated devices of a rig file: which simulator, on which wire, fed with what."""
+"""The simulated devices of a rig file: simulator, wire and input of each."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ MakeEndpoint = Callable[[str], Endpoint]
 
 @dataclass(frozen=True, slots=True)
 class SimulatedDevice:
-    """Join a device's simulator with its wire; quantities: of a slow one, those that it tells."""
+    """A device's simulator with its wire; quantities: of a slow device, those that it measures."""
 
     name: str
     simulator: Any
@@ -48,11 +48,11 @@ def inputs_of(rig: RigFile, channels: ChannelTable) -> dict[str, int]:
     if len(set(numbers)) < len(numbers):
         taken = ", ".join(f"{key} = {name!r}" for key, name in names.items())
         raise UnusableInput("{}: two signals cannot share one input; give each its own.", taken)
-    return dict(zip((one.name for one in channels.sampled), numbers, strict=True))
+    return dict(zip((channel.name for channel in channels.sampled), numbers, strict=True))
 
 
 def signals(seen: WiredSignals, inputs: Mapping[str, int]) -> RigSignals:
-    """Return what the inputs of the data acquisition device see; inputs: from ``inputs_of``."""
+    """Return the signals at the inputs of the data acquisition; inputs: from ``inputs_of``."""
     return RigSignals(
         analog={inputs[name]: values for name, values in seen.analog.items()},
         shaft_revolutions=seen.shaft_revolutions,
@@ -60,19 +60,19 @@ def signals(seen: WiredSignals, inputs: Mapping[str, int]) -> RigSignals:
 
 
 def simulated_names(rig: RigFile) -> tuple[str, ...]:
-    """Return the devices to simulate: those whose port says so, all of a rig file without any."""
+    """Return the devices with the port ``simulated``, or all of a rig file without any."""
     return rig.simulated_devices or tuple(rig.devices)
 
 
 class RealDevice:
-    """Stand for a real drive or data acquisition beside simulated devices: it does nothing here."""
+    """A stand-in for a real drive or data acquisition beside simulated devices; it does nothing."""
 
     sample_rate_Hz = 1000.0
     streaming = False
     url = ""
 
     def connected(self) -> bool:
-        """Return False: no host finds it here."""
+        """Return False: no host connects to it here."""
         return False
 
     def read(self) -> bytes:
@@ -92,7 +92,7 @@ class RealDevice:
         return b""
 
     def observe(self, state: MotorState) -> None:
-        """See nothing."""
+        """Ignore the state."""
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
         """Leave the simulated crank without power."""
@@ -100,11 +100,11 @@ class RealDevice:
 
 
 class SimulatorFailed(Exception):
-    """A simulator raised what none should; it is silent from now on."""
+    """A simulator raised an unexpected error; it is silent from now on."""
 
 
 class GuardedSimulator:
-    """A simulator of anybody's package: one that raises falls silent, and the rig goes on.
+    """A simulator of any package: after an error it is silent, and the rig goes on.
 
     failed: why, in a sentence, empty while it works.
     """
@@ -115,15 +115,15 @@ class GuardedSimulator:
         self._name, self._package = name, package
 
     def __getattr__(self, name: str) -> Any:
-        """Return an attribute of the simulator; a method is guarded, and kept as it is then."""
-        found = getattr(self.simulator, name, *([_nothing] if self.failed else []))
-        if not callable(found):
-            return found
+        """Return an attribute of the simulator; a method is guarded and cached."""
+        attribute = getattr(self.simulator, name, *([_nothing] if self.failed else []))
+        if not callable(attribute):
+            return attribute
 
         def guarded(*arguments: Any, **options: Any) -> Any:
             try:
                 with foreign(self._fail):
-                    return found(*arguments, **options)
+                    return attribute(*arguments, **options)
             except SimulatorFailed:
                 return getattr(self.simulator, name, _nothing)(*arguments, **options)
 
@@ -131,26 +131,26 @@ class GuardedSimulator:
         return guarded
 
     def _fail(self, error: BaseException) -> SimulatorFailed:
-        """Fall silent: what its methods do from now on is nothing."""
+        """Turn all its methods into ones that do nothing."""
         self.failed = (
             f"The simulator of {self._name} has failed ({failure_words(error)}); report it to the"
             f" author of the package {self._package}, and connect again."
         )
         print(self.failed, file=sys.stderr, flush=True)
         self.simulator = RealDevice()
-        for name in [name for name, one in vars(self).items() if inspect.isfunction(one)]:
+        for name in [name for name, value in vars(self).items() if inspect.isfunction(value)]:
             delattr(self, name)
         return SimulatorFailed(self.failed)
 
 
 def _nothing(*arguments: Any, **options: Any) -> None:
-    """Do what a device does that is not here."""
+    """Do nothing, as a missing device."""
 
 
 def real_device(name: str) -> SimulatedDevice:
-    """Return what stands for a device that is real."""
-    here: Any = RealDevice()
-    return SimulatedDevice(name, here, SimulatedWire(here))
+    """Return the stand-in for a real device."""
+    device: Any = RealDevice()
+    return SimulatedDevice(name, device, SimulatedWire(device))
 
 
 def data_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> SimulatedDevice:
@@ -182,8 +182,8 @@ def slow_devices(
             repr(rig.spindle.device),
         )
     return tuple(
-        _device(rig, name, DriverKind.SLOW_SOURCE, {}, make_endpoint, seed + 2 + place)
-        for place, name in enumerate(one for one in rig.devices if one not in instruments)
+        _device(rig, name, DriverKind.SLOW_SOURCE, {}, make_endpoint, seed + 2 + number)
+        for number, name in enumerate(n for n in rig.devices if n not in instruments)
         if name in simulated_names(rig)
     )
 
@@ -240,7 +240,7 @@ def _load(
 def _simulator(
     name: str, info: DriverInfo, settings: Mapping[str, Any], facts: Mapping[str, Any]
 ) -> Any:
-    """Make a simulator: it gets the facts and the file's settings that it has parameters for."""
+    """Make a simulator with the facts and settings of the file that it has parameters for."""
     try:
         simulator = load_simulator(info)
     except DriverNotFound as error:

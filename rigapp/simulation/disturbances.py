@@ -1,4 +1,4 @@
-"""What befalls signals between the plant and the terminals: faults, and what a laboratory adds."""
+"""Disturbances of signals between plant and terminals: faults, and those of a laboratory."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _SPIKES = np.uint64(17)
 
 @dataclass(frozen=True, slots=True)
 class WiredSignals:
-    """Carry what the data acquisition sees: the shaft in revolutions, mV/V or V by channel."""
+    """The inputs of the data acquisition: the shaft in revolutions, mV/V or V by channel."""
 
     first_sample: int
     shaft_revolutions: Array
@@ -38,13 +38,13 @@ class WiredSignals:
 def terminals(samples: Samples, free: Mapping[str, Array]) -> WiredSignals:
     """Return the plant's signals by the names of their channels, those of free ones beside them."""
     wired = (samples.bridge_1, samples.bridge_2, samples.probe_1, samples.probe_2)
-    names = (one.name for one in BASE.sampled)
+    names = (channel.name for channel in BASE.sampled)
     analog = {**dict(zip(names, wired, strict=True)), **free}
     return WiredSignals(samples.first_sample, samples.shaft_revolutions, analog)
 
 
 class SignalFault(enum.StrEnum):
-    """Name what can happen to a signal; ``value`` of the fault is what stands behind it."""
+    """The faults of a signal; the comment names the ``value`` of each."""
 
     STUCK_VALUE = "stuck_value"  # the input keeps the value it had
     SATURATED_INPUT = "saturated_input"  # sign of the overload, +1 by default
@@ -55,7 +55,7 @@ class SignalFault(enum.StrEnum):
     SWINGING_WEIGHT = "swinging_weight"  # share of the signal by which it goes to and fro
     JAM = "jam"  # N m of dry friction on the shaft
     REVERSED_ENCODER = "reversed_encoder"  # lines A and B of the crank encoder are exchanged
-    CLOCK_DRIFT = "clock_drift"  # ppm by which the device samples faster than it says
+    CLOCK_DRIFT = "clock_drift"  # ppm by which the device samples faster than it states
 
 
 _SHAFT = "shaft"
@@ -66,11 +66,11 @@ _DEFAULTS = {
     SignalFault.JAM: 1e3,
     SignalFault.CLOCK_DRIFT: 100.0,
 }
-"""What stands behind a fault when nothing is said; 1 for the others."""
+"""The default ``value`` of a fault; 1 for the others."""
 
 
 class Disturbances:
-    """Apply the signal faults that are on to the samples; the same for every cut into chunks."""
+    """Apply the active signal faults to the samples; the same for every division into chunks."""
 
     def __init__(self, seed: int) -> None:
         self._seed = np.uint64(seed % 2**64)
@@ -85,7 +85,7 @@ class Disturbances:
 
     @property
     def clock(self) -> float:
-        """Return how many times faster than it says the device samples."""
+        """Return the true sample rate over the stated one."""
         return 1.0 + 1e-6 * self._channels.get((SignalFault.CLOCK_DRIFT, _SHAFT), 0.0)
 
     def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
@@ -102,7 +102,7 @@ class Disturbances:
             self._stuck.pop(name, None)
 
     def apply(self, seen: WiredSignals, sample_rate_Hz: float) -> WiredSignals:
-        """Return the signals with the faults in them."""
+        """Return the signals with the faults."""
         if seen.shaft_revolutions.size == 0 or not self._channels:
             return seen
         shaft, analog = seen.shaft_revolutions, dict(seen.analog)
@@ -148,16 +148,16 @@ def _terminals(fault: SignalFault, channel: str) -> tuple[str, ...]:
     return (channel,) if channel else BRIDGES
 
 
-# What a laboratory adds to the signals of probes and load cell: wandering, warmth, a touch, creep.
+# Disturbances of probes and load cell in a laboratory: drift, warmth, a touch, creep.
 #
-# All of it is off by default. What depends on time or revolutions alone is the same for every cut
-# into chunks and for every test of one seed; creep of the cell remembers its load.
+# All of it is off by default. What depends on time or revolutions alone is the same for every
+# division into chunks and every test of one seed; creep of the cell depends on its past load.
 
 _WANDER = np.uint64(33)
 
 
 class Interference:
-    """Add to the terminals' signals what ``[simulation.plant]`` says of the laboratory."""
+    """Add the laboratory disturbances of ``[simulation.plant]`` to the terminals' signals."""
 
     def __init__(self, rig: RigFile, seed: int) -> None:
         self._plant = plant_section(rig)
@@ -168,11 +168,11 @@ class Interference:
         self._creeping = {name: _Creep(self._plant, zero) for name, zero in bridges}
 
     def apply(self, seen: WiredSignals, samples: Samples, sample_rate_Hz: float) -> WiredSignals:
-        """Return the signals with it in them."""
+        """Return the signals with the disturbances."""
         plant, analog = self._plant, dict(seen.analog)
         turns = np.abs(samples.shaft_revolutions)
-        for place, (name, um_per_V) in enumerate(self._probes.items()):
-            um = _probe_um(plant, place, turns, samples.warm_s, self._seed)
+        for probe, (name, um_per_V) in enumerate(self._probes.items()):
+            um = _probe_um(plant, probe, turns, samples.warm_s, self._seed)
             if um is not None:
                 analog[name] = analog[name] + um / um_per_V
         if plant.cell_creep_percent:
@@ -182,37 +182,37 @@ class Interference:
 
 
 def _probe_um(
-    plant: PlantSection, place: int, turns: Array, warm_s: Array, seed: np.uint64
+    plant: PlantSection, probe: int, turns: Array, warm_s: Array, seed: np.uint64
 ) -> Array | None:
-    """Return what a probe sees beside the pin, um; None where nothing is switched on."""
+    """Return the disturbance of a probe, um; None where nothing is switched on."""
     parts = []
     if plant.probe_wander_um:
-        slow = wander(turns / plant.probe_wander_revolutions, seed, place)
+        slow = wander(turns / plant.probe_wander_revolutions, seed, probe)
         parts.append(plant.probe_wander_um * slow)
-    if plant.probe_temperature_um_per_K[place]:
-        parts.append(plant.probe_temperature_um_per_K[place] * room_swing_K(plant, warm_s))
-    if plant.touched_probe_um and place == 0:
+    if plant.probe_temperature_um_per_K[probe]:
+        parts.append(plant.probe_temperature_um_per_K[probe] * room_swing_K(plant, warm_s))
+    if plant.touched_probe_um and probe == 0:
         parts.append(np.where(turns >= plant.touched_at_revolution, plant.touched_probe_um, 0.0))
     return np.sum(parts, axis=0) if parts else None
 
 
-def wander(at: Array, seed: np.uint64, place: int) -> Array:
-    """Return coloured standard noise at places (n,) counted in lengths of its memory.
+def wander(at: Array, seed: np.uint64, which: int) -> Array:
+    """Return coloured standard noise at times (n,) in units of its correlation length.
 
-    Between independent numbers at whole places it turns from one to the next by a quarter of a
-    circle, so that it has the same variance everywhere.
+    Between independent numbers at whole times it blends as cosine and sine of a quarter circle, so
+    that it has the same variance everywhere.
     """
     if not at.size:
         return at
-    whole = np.floor(at)
-    first = int(whole.min())
+    floor = np.floor(at)
+    first = int(floor.min())
     knots = np.array(
         [
-            normal_pair(seed, _WANDER, np.uint64(index))[place]
-            for index in range(first, int(whole.max()) + 2)
+            normal_pair(seed, _WANDER, np.uint64(index))[which]
+            for index in range(first, int(floor.max()) + 2)
         ]
     )
-    low, part = whole.astype(np.intp) - first, 0.5 * math.pi * (at - whole)
+    low, part = floor.astype(np.intp) - first, 0.5 * math.pi * (at - floor)
     return np.asarray(np.cos(part) * knots[low] + np.sin(part) * knots[low + 1])
 
 
@@ -230,7 +230,7 @@ def _lagging(values: Array, keeps: float, rest: float) -> tuple[Array, float]:
 
 
 class _Creep:
-    """Let a bridge go on by a part of a lasting load."""
+    """The creep of a bridge: a part of a lasting load, delayed."""
 
     def __init__(self, plant: PlantSection, zero: float) -> None:
         self._share = plant.cell_creep_percent / 100.0
@@ -239,7 +239,7 @@ class _Creep:
         self._rest = 0.0
 
     def added(self, signal: Array, sample_rate_Hz: float) -> Array:
-        """Return a signal (mV/V) with the creep of all that came before."""
+        """Return a signal (mV/V) with the creep of all earlier load."""
         keeps = math.exp(-1.0 / (sample_rate_Hz * self._time_s))
         lag, self._rest = _lagging(signal - self._zero, keeps, self._rest)
         return np.asarray(signal + self._share * lag)

@@ -14,14 +14,14 @@ A fault file is TOML::
     at_s = 30.0
 
 Triggers are in plant time. The duration of a signal fault is plant time; that of a wire or device
-fault is the wall clock's, which the wire, the drive's watchdog and the host's time-outs live on.
+fault is the wall clock's, as are the times of wire, drive's watchdog and host's time-outs.
 
 Wire: cable_pull, hang (what is sent is lost), hold (it comes late, at once), garbage (value:
 bytes), truncated (value: bytes), split (value: bytes a piece), slow (value: s). Signal: see
 ``disturbances.SignalFault``; slip_ring_spikes also takes rate_per_s. Any other kind goes to the
 device's simulator, which has its own list; value, count and target (command number or object index)
-go with it. Every simulated drive has ignored_command (confirmed and not obeyed), false_readback (it
-says that it has no power), false_standstill (its encoder is dead: it says that it stands),
+go with it. Every simulated drive has ignored_command (confirmed, not executed), false_readback (it
+reports no power), false_standstill (its encoder is dead: it reports a standstill),
 turns_by_itself, slow_command (value: s until it is confirmed), restart_unseen and watchdog_lost.
 """
 
@@ -56,7 +56,7 @@ class FaultFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Victim(Protocol):
-    """Suffer faults: the simulated rig."""
+    """The target of faults: the simulated rig."""
 
     def begin(self, fault: FaultRecord) -> None:
         """Let a fault begin."""
@@ -102,7 +102,7 @@ def check_fault(fault: FaultRecord, devices: Sequence[str], channels: ChannelTab
 def _check_channel(fault: FaultRecord, channels: ChannelTable) -> None:
     """Refuse a signal fault whose channel has no input that it could be on."""
     where, name = f"fault {fault.kind}: channel", fault.channel
-    known = [one.name for one in channels.sampled]
+    known = [channel.name for channel in channels.sampled]
     if fault.kind == SignalFault.SWAPPED_BRIDGES:
         known = list(BRIDGES)
     if not name and fault.kind == SignalFault.STUCK_VALUE:

@@ -1,4 +1,4 @@
-"""Both ends of the simulated rig as a process of its own: start and hold it, obey its commands."""
+"""Both ends of the simulated rig as a process: start and control it, execute its commands."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from rigapp.texts import joined, say
 if TYPE_CHECKING:
     from rigapp.simulation.rig import RigSimulation
 
-ANSWER_S = 30.0  # of a process that answers in ms, on a computer that stands still now and then
+ANSWER_S = 30.0  # of a process that answers in ms, on a computer that stalls now and then
 START_S = 180.0
 """After a change the first start compiles the kernels of the plant; a busy computer needs long."""
 FOLDER = "rigapp-sim-"
@@ -49,13 +49,13 @@ class SimulatedRig:
         return self._process.pid
 
     def alive(self) -> bool:
-        """Tell whether the process runs."""
+        """Return whether the process runs."""
         return self._process.running
 
     def inject(self, fault: Mapping[str, object]) -> None:
         """Let a fault happen; raise UnusableInput, SimulationFailed.
 
-        Keys as in a fault file; its kind may also stand under ``fault``, as on the control channel.
+        Keys as in a fault file; its kind may also be under ``fault``, as on the control channel.
         """
         message = dict(fault)
         if "kind" in message:
@@ -67,11 +67,11 @@ class SimulatedRig:
         self._obey({"clear": kind})
 
     def hand(self, what: str, **details: Any) -> None:
-        """Do by hand what ``hands`` lists; raise UnusableInput, SimulationFailed."""
+        """Carry out an action of ``simulated_operator``; raise UnusableInput, SimulationFailed."""
         self._obey({"hand": what, **details})
 
     def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
-        """Let the bushing be worn as an earlier test left it; the crank must stand.
+        """Wear the bushing as an earlier test left it; the crank must be stationary.
 
         Without an area it follows from the depth. Raises UnusableInput, SimulationFailed.
         """
@@ -117,7 +117,7 @@ def start_simulated_rig(
     """Start the devices of a rig file in a process of their own and wait until they answer.
 
     parameters: the mechanism, the packaged one if None. The process outlives this one until the
-    spindle stands still, at most 10 s, and does not hear this one's Ctrl-C. Raises UnusableInput
+    spindle stands still, at most 10 s, and does not get this one's Ctrl-C. Raises UnusableInput
     with the process's own sentence, SimulationFailed when it dies otherwise or is late.
     """
     options: list[object] = ["--speed", speed, "--exit-with-parent"]
@@ -164,21 +164,19 @@ def _read_line(process: Child, timeout_s: float) -> bytes:
         raise BrokenPipeError(say("the simulated rig's output ended")) from None
 
 
-# Control channel of the simulated rig: JSON lines in, one JSON line back for each.
+# Control channel of the simulated rig: a JSON line in, a JSON line back.
 #
-# ::
-#
-# {"fault": "cable_pull", "device": "daq", "duration_s": 1.0}    -> {"ok": true} {"clear":
-# "emergency_stop"}                                    -> {"ok": true} {"query": "state"}
-# -> the plant's truth {"hand": "turn_pin", "angle_deg": 90.0}                        -> {"ok":
-# true}, see ``hands`` {"state": {"wear_depth_um": 12.5, "worn_area_mm2": 0.3}}       -> {"ok":
-# true}, see below anything else                                                  -> {"error": "a
-# sentence"}
+# {"fault": "cable_pull", "device": "daq", "duration_s": 1.0}        -> {"ok": true}
+# {"clear": "emergency_stop"}                                        -> {"ok": true}
+# {"query": "state"}                                                 -> the true state of the plant
+# {"hand": "turn_pin", "angle_deg": 90.0}, see simulated_operator    -> {"ok": true}
+# {"state": {"wear_depth_um": 12.5, "worn_area_mm2": 0.3}}           -> {"ok": true}
+# anything else                                                      -> {"error": "a sentence"}
 #
 # ``state`` sets what an earlier test has left in the machine, before a test is resumed on a rig
-# that was started anew: the bushing's wear, by its depth at the contact and, if it is known, the
-# area that the wear has taken (else it follows from the depth). The crank must stand and nothing
-# drive it. Keys are those of the answer to ``query``.
+# that was restarted: the bushing's wear, by its depth at the contact and, if it is known, the worn
+# area (else it follows from the depth). The crank must be stationary without drive. Keys are those
+# of the answer to ``query``.
 #
 # A new command is one more verb in ``VERBS``: a function of the rig and the message's table.
 
@@ -216,7 +214,7 @@ def _hand(rig: RigSimulation, message: Table) -> Table:
 
 
 class WornState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What ``state`` can set."""
+    """The values that ``state`` sets."""
 
     wear_depth_um: float
     worn_area_mm2: float | None = None
@@ -241,7 +239,7 @@ VERBS: Mapping[str, Callable[[RigSimulation, Table], Table]] = {
 
 
 def answer(rig: RigSimulation, line: bytes) -> bytes:
-    """Obey one line and return the line that answers it, with its newline."""
+    """Execute one line and return the answer, with its newline."""
     try:
         message = msgspec.json.decode(line, type=dict[str, Any])
         verbs = [verb for verb in VERBS if verb in message]

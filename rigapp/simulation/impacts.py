@@ -71,7 +71,7 @@ MOST_CUTS = 8
 SLIDING_M_PER_S = 1e-3
 """Friction grows to 0.7 of its size up to this sliding speed."""
 REST_M_PER_S, REST_M_PER_S2 = 1e-6, 1e-3
-"""Below both, slider and follower have come to rest while the crank stands."""
+"""Below both, slider and follower have come to rest while the crank is stationary."""
 AT_CENTRE_M = 1e-15
 
 
@@ -118,7 +118,7 @@ TOUCHING = types.UniTuple(F, 12)
 
 @njit(TOUCHING(CONSTANTS, SQUARE, ROW, ROW, F), **UNCOUNTED)
 def touch(k: Constants, table: Array, wall_state: Array, state: Array, turns: float) -> Numbers:
-    """Return what the joint does at one moment; forces are those on the follower by the pin.
+    """Return the state of the joint at one moment; forces are those on the follower by the pin.
 
     (Fx, Fy, normal force, elastic force, its energy, penetration, its rate, sliding speed,
     friction, normal x, normal y, mass along it). turns: 1, or 0 for a crank that is held.
@@ -245,7 +245,7 @@ def runge_kutta(
 ) -> tuple[float, float, float]:
     """Write the state after dt; return (mean force, slip, penetration at the end): N, m, m.
 
-    start and end are the step's place in the chunk. slope: (4, STATES), of use to nobody else.
+    start and end: position of the step in the chunk. slope: (4, STATES), overwritten.
     """
     force, slip = 0.0, 0.0
     for stage in range(4):
@@ -253,10 +253,10 @@ def runge_kutta(
         for i in range(STATES):
             reached[i] = state[i] + (part * dt * slope[stage - 1, i] if stage > 0 else 0.0)
         at = start + part * (end - start)
-        found = rates(k, d, table, wall_state, reached, sense, held, at, slope[stage])
+        rate = rates(k, d, table, wall_state, reached, sense, held, at, slope[stage])
         weight = 1.0 / 3.0 if 0 < stage < 3 else 1.0 / 6.0
-        force += weight * math.hypot(found[0], found[1])
-        slip += weight * dt * found[7]
+        force += weight * math.hypot(rate[0], rate[1])
+        slip += weight * dt * rate[7]
     for i in range(STATES):
         mean = slope[0, i] + 2.0 * slope[1, i] + 2.0 * slope[2, i] + slope[3, i]
         reached[i] = state[i] + dt / 6.0 * mean
@@ -265,7 +265,7 @@ def runge_kutta(
 
 @njit(types.void(CONSTANTS, WALL, ROW), **UNCOUNTED)
 def foresee(k: Constants, wall: Wall, state: Array) -> None:
-    """Let the wall's table reach the force of the impact that begins.
+    """Extend the wall's table to the force of the impact that begins.
 
     A table that changed under load would change the energy that is stored in it.
     """

@@ -83,17 +83,16 @@ from rigapp.simulation.wall import (
 )
 from rigapp_model.compiled import UNCOUNTED, njit
 
-# What the compiled plant's sensors see: the terminals of bridges and probes, and their noise.
+# The compiled plant's sensors: the terminals of bridges and probes, and their noise.
 #
 # Frames: the load cell sits in the pin, which is clamped to the crank, so it measures in the crank
 # frame, and it measures the force ON THE PIN, which is -F. The probes are clamped to the follower.
 # The pin leans against the bushing in the direction of the normal force on the follower: with the
-# follower in tension (F_e2 < 0) its centre stands at -c along e2, c = running clearance + wear +
+# follower in tension (F_e2 < 0) its centre is at -c along e2, c = running clearance + wear +
 # elastic approach. In the mechanics the follower's length has clearance and wear, not the approach,
-# which is a hundred times smaller. Noise depends on seed, kind and sample number only, so it does
-# not know how samples are grouped. Samples count anew from every departure from rest, and the drift
-# begins with the first one: how long the rig stood before, which is up to whoever starts it, does
-# not change a test of the same seed.
+# which is a hundred times smaller. Noise depends on seed, kind and sample number only, not on the
+# grouping of samples. Samples count again from every departure from rest, and the drift begins with
+# the first one: the time at rest before it does not change a test of the same seed.
 
 U = types.uint64
 FREE_NOISE = 100
@@ -223,8 +222,8 @@ def emit(
     noise_1, noise_2 = normal_pair(seed, np.uint64(1), index)
     noise_3, noise_4 = normal_pair(seed, np.uint64(2), index)
     angle = state[ANGLE]
-    # What hangs on the gauges outboard is no force of the follower's; that it is seen as late as
-    # that would move it by thousandths of its size.
+    # The weight outboard of the gauges is no force of the follower; the delay of its signal is left
+    # out, which would change it by thousandths.
     # Weights hang from a crank that turns upright; in a test the plane is that of the mechanism.
     pull_x = k.pin_mass * (1.0 - k.bench) * k.gravity_x
     pull_y = k.pin_mass * ((1.0 - k.bench) * k.gravity_y - k.bench * STANDARD_GRAVITY_M_S2)
@@ -297,8 +296,8 @@ def turn(
 ) -> None:
     """Advance the turning crank by one step.
 
-    first is the acceleration at its start, position what ``geometry`` says of it.
-    start and end are the step's place in the chunk, 0 ... 1, for the set-point between its ends.
+    first is the acceleration at its start, position the result of ``geometry``. start and end: of
+    the step in the chunk, 0 ... 1, for the set-point between its ends.
     """
     half = 0.5 * dt
     middle = 0.5 * (start + end)
@@ -374,7 +373,7 @@ def advance(
 
     A sample is taken at the start of every steps_per_sample-th step. State, counters, ring and wall
     carry everything over: under a constant command the result does not depend on how the steps are
-    cut into calls. ring: (4, size) past values of what ``views`` returns, newest at counters[HEAD].
+    cut into calls. ring: (4, size) past results of ``views``, newest at counters[HEAD].
     """
     samples = 0
     size = ring.shape[1]

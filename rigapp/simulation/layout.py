@@ -1,4 +1,4 @@
-"""What the compiled plant is made of: its constants, the drive's command, its state, its output.
+"""The data of the compiled plant: its constants, the drive's command, its state, its output.
 
 SI units.
 """
@@ -16,9 +16,9 @@ STANDARD_GRAVITY_M_S2 = 9.80665
 
 
 class Constants(NamedTuple):
-    """Hold everything that does not change while the plant runs; SI units.
+    """The constants of the plant; SI units.
 
-    see: what each probe sees of the motion along and across the follower (its direction).
+    see: part of the motion along and across the follower that each probe measures (its direction).
     bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
     -y) and the probes face micrometers (m); 0 with the mechanism together. outboard: mass of the
     pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
@@ -100,7 +100,7 @@ class Constants(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """Hold what acts on the motor during one call: mode, set-point at both ends, duty, supply.
+    """The input of the motor during one call: mode, set-point at both ends, duty, supply.
 
     extra_friction_Nm: dry friction on the shaft beyond the bearing's (a jam).
     """

@@ -189,5 +189,5 @@ def motor(
 
 @njit(BORE(CONSTANTS), **UNCOUNTED)
 def bore(k: Constants) -> Bore:
-    """Return what the wall of the bushing needs to know of the joint."""
+    """Return the constants of the joint that the wall of the bushing needs."""
     return Bore(k.pin_radius, k.bushing_radius, k.width, k.wear_coefficient)

@@ -1,6 +1,6 @@
 """The plant of the simulated rig: time in, terminals and truth out.
 
-Crank angle and speed are states; the drive's command is what moves them. One compiled call advances
+Crank angle and speed are states; the drive's command moves them. One compiled call advances
 a chunk. Signals are electrical, in mV/V and V.
 """
 
@@ -26,10 +26,10 @@ START_BEFORE_REST_RAD = math.radians(3.0)
 
 @dataclass(frozen=True, slots=True)
 class Truth:
-    """Tell what really was at each sample: arrays of one length, SI units.
+    """The true values at each sample: arrays of one length, SI units.
 
     Force on the follower by the pin, in the crank frame, at the sample's own instant (the terminals
-    see it late); wear depth at the contact.
+    follow late); wear depth at the contact.
     """
 
     time_s: Array
@@ -42,7 +42,7 @@ class Truth:
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Carry what the terminals see: shaft in revolutions as the encoder turns, mV/V, V.
+    """The samples at the terminals: shaft in revolutions as the encoder turns, mV/V, V.
 
     bushing_rise_K: of the bushing above the room. warm_s: since the crank first left its rest.
     free_noise: (free inputs, samples), standard normal.
@@ -62,7 +62,7 @@ class Samples:
 
 @dataclass(frozen=True, slots=True)
 class PlantState:
-    """Tell the plant's state at one moment, SI units."""
+    """The plant's state at one moment, SI units."""
 
     time_s: float
     angle_rad: float
@@ -113,7 +113,7 @@ class Plant:
     ) -> None:
         """Start at rest: at angle_rad, or just before where the crank rests by itself.
 
-        free_inputs: for how many more inputs noise is wanted.
+        free_inputs: number of further inputs that need noise.
         """
         self._rows = layout.ROWS + free_inputs
         self.constants = Constants(*map(float, constants))
@@ -236,7 +236,7 @@ class Plant:
         self._settle()
 
     def wear_to(self, depth_m: float, area_m2: float | None = None) -> None:
-        """Let the bushing be worn to a depth; the area is what such wear takes where none is given.
+        """Wear the bushing to a depth; without an area that of such a depth is used.
 
         Time, crank and noise stay as they are. Raises ValueError for a depth or area below 0, and
         for a depth at which the crank could not turn.
@@ -288,17 +288,17 @@ class Plant:
         if k.loose == 1.0 and k.bench == 0.0:
             kinetic, potential = impacts.loose_energy(k, wall.table, wall.state, s)
         else:
-            place = (s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH])
-            kinetic, potential = mechanics.energy(k, *place)
+            pose = (s[layout.ANGLE], s[layout.SPEED], s[layout.DEPTH])
+            kinetic, potential = mechanics.energy(k, *pose)
         return PlantState(
-            **{name: float(s[place]) for name, place in _STATES.items()},
+            **{name: float(s[row]) for name, row in _STATES.items()},
             samples=int(self._counters[layout.SAMPLE]),
             kinetic_energy_J=kinetic,
             potential_energy_J=potential,
         )
 
     def _present(self) -> Array:
-        """Return what the sensors would see now, for the filters' past at a change of rate."""
+        """Return the sensors' inputs now, for the filters' past at a change of rate."""
         if self._ring.shape[1] > 0:
             return self._ring[:, int(self._counters[layout.HEAD])].copy()
         angle, depth = self._state[layout.ANGLE], self._state[layout.DEPTH]

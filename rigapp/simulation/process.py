@@ -107,7 +107,7 @@ def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
 
 
 def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], Any]:
-    """Return what makes an endpoint for a device: a pty, or TCP where there are none."""
+    """Return the function that makes an endpoint for a device: a pty, or TCP without ptys."""
     from rigapp.simulation.wire.endpoints import SocketEndpoint
     from rigapp.simulation.wire.ports import port_at
 
@@ -162,7 +162,7 @@ def _read(descriptor: int) -> bytes:
 
 
 def _say(line: bytes) -> None:
-    """Write a line to stdout; nobody there is nothing."""
+    """Write a line to stdout; ignore a closed one."""
     with contextlib.suppress(BrokenPipeError, ValueError):
         sys.stdout.buffer.write(line)
         sys.stdout.buffer.flush()

@@ -1,10 +1,10 @@
 """The simulated rig: plant, device simulators and wires in one loop, one thread.
 
-A pass takes what the hosts wrote, answers it, and advances the plant by the chunks that are due;
-between two chunks the hosts are heard again, so that an answer does not wait for the rest of them.
+A pass reads the hosts' requests, answers them, and advances the plant by the chunks that are due;
+between two chunks requests are read again, so that an answer does not wait for the rest of them.
 Within a chunk the drive's command is constant but for its ramp, so a chunk is short: at most 20 ms
 of wall time and 1/10 revolution. Faster than real time a second chunk waits for the host while it
-reads the first, so that a command takes effect within 1/5 revolution of what the host has seen.
+reads the first, so that a command takes effect within 1/5 revolution of the host's newest data.
 """
 
 from __future__ import annotations
@@ -48,30 +48,30 @@ from rigapp_drivers.edge import foreign
 from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState
 
 STANDING = 1e-6
-"""A crank slower than this stands, rad/s."""
+"""A crank slower than this is stationary, rad/s."""
 CHUNK_S = 0.02  # a command takes effect as soon as in a real drive's loop
 SLOW_S = 1.0
-"""So often do slow devices look at their surroundings, in plant time."""
+"""Period in which slow devices measure their surroundings, in plant time."""
 LONGEST_CHUNK_S = 0.1  # of plant time, at any speed
 CHUNK_REVOLUTIONS = 1.0 / 10.0  # see above: twice this is how far the host may lag
 LONGEST_PASS_CHUNKS = 8  # then other work is due, as the control channel
 IDLE_S = 0.01  # shorter than any time-out on the wire
 HOST_WAIT_S = 0.00015  # as long as a pty takes to hand over
 TURN = 2.0 * math.pi
-FULL_GAUGE_BYTES = 3072  # of the 4095 that a pty shows at most: more may stand behind
+FULL_GAUGE_BYTES = 3072  # of the 4095 that a pty reports at most: more may be waiting
 
-LONGEST_CATCH_UP_S = 1.0  # what a host lost longer ago it would not get from a device either
+LONGEST_CATCH_UP_S = 1.0  # a real device would not deliver older data either
 BURST_S = 0.1  # shorter than any time-out of a host
 
 
 class PlantPace:
-    """Say how much plant time is due; ``speed`` times real time, or inf for as fast as taken.
+    """The plant time that is due; ``speed`` times real time, or inf for as fast as taken.
 
     Never slower than real time, so that a host which does not read loses data as with a real
     device. Never faster than the chosen speed, nor than the host takes the data. Without a host
     that takes data the plant runs in real time, since the drive's watchdog runs on the wall clock:
-    whatever the speed, a dead engine stops the spindle within its time-out and the coasting lasts
-    as long as it would.
+    at any speed a dead engine stops the spindle within its time-out, and the coasting takes its
+    real time.
 
     The devices' own time, on which the drive's watchdog runs, is that of their process
     (``processclock``).
@@ -85,11 +85,11 @@ class PlantPace:
 
     @property
     def fast(self) -> bool:
-        """Tell whether the speed is above real time at all."""
+        """Return whether the speed is above real time at all."""
         return self.speed > 1.0
 
     def tick(self, now_s: float) -> None:
-        """Let the wall clock advance to now."""
+        """Advance the wall clock to now."""
         passed = max(0.0, now_s - self._last)
         self._last = now_s
         self._must = min(self._must + passed * min(1.0, self.speed), LONGEST_CATCH_UP_S)
@@ -100,13 +100,13 @@ class PlantPace:
             self._may = min(self._may + passed * self.speed, burst)
 
     def due(self, chunk_s: float, *, taken: bool) -> bool:
-        """Tell whether a chunk is due; taken: a host streams and has read what it got."""
+        """Return whether a chunk is due; taken: a host streams and has read all data."""
         if self._must >= chunk_s:
             return True
         return self.fast and taken and self._may >= chunk_s
 
     def advanced(self, chunk_s: float) -> None:
-        """Take note that the plant advanced."""
+        """Count a chunk by which the plant advanced."""
         self._must = max(0.0, self._must - chunk_s)
         self._may = max(0.0, self._may - chunk_s)
 
@@ -147,10 +147,10 @@ class RigSimulation:
         self._drive = drive_device(rig, make_endpoint, seed)
         self._slow = slow_devices(rig, make_endpoint, seed)
         made = (self._daq, self._drive, *self._slow)
-        self._devices = {one.name: one for one in made if one.name in simulated_names(rig)}
+        self._devices = {each.name: each for each in made if each.name in simulated_names(rig)}
         sampled = self._daq.name in self._devices
         self._inputs = inputs_of(rig, self._channels) if sampled else {}
-        self._wires = {name: one.wire for name, one in self._devices.items()}
+        self._wires = {name: device.wire for name, device in self._devices.items()}
         self._counts = rig.spindle.encoder_counts_per_revolution * rig.spindle.gear_ratio
         self._sense = rig.spindle.direction
         self.plant = Plant(
@@ -180,7 +180,7 @@ class RigSimulation:
 
     @property
     def urls(self) -> dict[str, str]:
-        """Return what the host opens, a URL a device."""
+        """Return the URL of each device, which the host opens."""
         return {name: wire.endpoint.url for name, wire in self._wires.items()}
 
     def waitable(self) -> list[int]:
@@ -188,7 +188,7 @@ class RigSimulation:
         return [d for wire in self._wires.values() for d in wire.endpoint.waitable()]
 
     def step(self, now_s: float, device_s: float | None = None) -> float:
-        """Do what is due; return for how many seconds nothing else will be.
+        """Do what is due; return the seconds until the next work.
 
         device_s: the devices' own time (``processclock.ProcessClock``), the wall clock's if None.
         """
@@ -235,7 +235,7 @@ class RigSimulation:
             self._devices[fault.device].simulator.clear(fault.kind)
 
     def inject(self, fault: FaultRecord) -> None:
-        """Put a fault on the timetable; raise UnusableInput for one that nothing here can have."""
+        """Put a fault on the timetable; raise UnusableInput where no device can have it."""
         later = fault.at_s is not None or fault.at_revolution is not None
         self._check(fault, later=later)
         self._timetable.add(fault)
@@ -246,11 +246,11 @@ class RigSimulation:
         self._timetable.clear(self, kind)
 
     def still(self) -> bool:
-        """Tell whether the spindle stands still and nothing drives it."""
+        """Return whether the spindle stands still and nothing drives it."""
         return abs(self.plant.speed_rad_per_s) < STANDING and self._speed_wanted == 0.0
 
     def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
-        """Let the bushing be worn as an earlier test left it; raise UnusableInput."""
+        """Wear the bushing as an earlier test left it; raise UnusableInput."""
         if not self.still():
             raise UnusableInput("state: the spindle turns or is driven; stop it first.")
         try:
@@ -279,7 +279,7 @@ class RigSimulation:
             "streaming": self._daq.simulator.streaming,
             "sample_rate_Hz": self._daq.simulator.sample_rate_Hz,
             "connected": {n: w.endpoint.connected() for n, w in self._wires.items()},
-            "failed": {n: one.simulator.failed for n, one in self._devices.items()},
+            "failed": {n: device.simulator.failed for n, device in self._devices.items()},
             "overruns": {n: w.dropped for n, w in self._wires.items()},
         }
 
@@ -322,7 +322,7 @@ class RigSimulation:
             self._daq.simulator.overrun(self._device_s)
 
     def _act(self, command: DriveCommand) -> Drive:
-        """Turn the drive's command into what acts on the motor during the chunk."""
+        """Return the motor's input during the chunk by the drive's command."""
         before, self._command = self._command, command
         jam = self._disturbances.jam_Nm + self.hands.lock_Nm
         supply = self._machine.supply_V
@@ -343,7 +343,7 @@ class RigSimulation:
         return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
 
     def _observe(self) -> None:
-        """Let the drive see its encoder, current and supply, and slow devices their quantities."""
+        """Give the drive its encoder, current and supply, and slow devices their quantities."""
         plant = self.plant
         if plant.time_s >= self._look_again_s:
             self._look_again_s = plant.time_s + SLOW_S
@@ -360,7 +360,7 @@ class RigSimulation:
         )
 
     def _look_around(self) -> None:
-        """Let slow devices see their quantities, and the drive the temperature of the room."""
+        """Give slow devices their quantities, and the drive the temperature of the room."""
         now = (self._section, self.plant.state().bushing_rise_K, self.plant.warm_s)
         for device in self._slow:
             device.simulator.observe(slow_values(device.quantities, *now))
@@ -374,7 +374,7 @@ class RigSimulation:
         return max(1, int(chunk_s / self.plant.step_s))
 
     def _taken(self) -> bool:
-        """Tell whether a host streams and has read all but the newest chunk."""
+        """Return whether a host streams and has read all but the newest chunk."""
         if not (self._pace.fast and self._streamed()):
             return False
         return self._daq.wire.backlog(self._now) <= min(self._chunk_bytes, FULL_GAUGE_BYTES)
@@ -393,19 +393,19 @@ class RigSimulation:
         return (self.plant.angle_rad - self._start_angle) / TURN
 
     def _check(self, fault: FaultRecord, *, later: bool) -> None:
-        """Refuse a fault that nothing here can have, before it is due; raise UnusableInput."""
+        """Refuse a fault that no device here can have, before it is due; raise UnusableInput."""
         check_fault(fault, list(self._wires), self._channels)
         if later and fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
             self._strike(fault)
             self._devices[fault.device].simulator.clear(fault.kind)
 
     def _strike(self, fault: FaultRecord) -> None:
-        """Hand a fault to the device's simulator, in the simulator's own words."""
+        """Pass a fault to the device's simulator, by the simulator's own names."""
         data = {"value": fault.value, "count": fault.count, "target": fault.target}
-        given = {key: value for key, value in data.items() if value is not None}
+        arguments = {key: value for key, value in data.items() if value is not None}
         with foreign(
             lambda error: UnusableInput(
                 f"fault {fault.kind}: device {fault.device} cannot have it ({error})."
             )
         ):
-            self._devices[fault.device].simulator.simulator.inject(fault.kind, **given)
+            self._devices[fault.device].simulator.simulator.inject(fault.kind, **arguments)

@@ -1,4 +1,4 @@
-"""What a person does at the rig: weights, the pin turned, micrometers, another bushing.
+"""The actions of a person at the rig: weights, the pin turned, micrometers, another bushing.
 
 A hand is a table from the control channel::
 
@@ -13,7 +13,7 @@ A hand is a table from the control channel::
 
 The crank is locked while the follower is off, until it is released. A weight is conventional mass:
 steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000). The cell creeps under
-it, with the logarithm of the time that it is said to hang.
+it, with the logarithm of the stated time of loading.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ LOCK_Nm = 1e6
 CREEP_PER_DECADE = 3e-4
 """Part of the load by which the cell's signal grows from 30 s to 300 s: that of a good cell."""
 CREEP_FROM_S = 30.0
-HEAVIEST_KG = 100.0  # more than a person hangs on a pin
+HEAVIEST_KG = 100.0  # more than a person can hang on a pin
 
 
 def _tag(name: str) -> str:
-    """Return what a message calls a hand, by the name of its class."""
+    """Return the name of an action in a message, by its class."""
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 class _Hand(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag=_tag):
-    """What all hands have: a table whose key ``hand`` names them."""
+    """The base of all actions: a table whose key ``hand`` names it."""
 
 
 class TakeOffFollower(_Hand, frozen=True):
@@ -57,7 +57,7 @@ class ReleaseCrank(_Hand, frozen=True):
 
 
 class HangWeight(_Hand, frozen=True):
-    """Hang a weight on the pin in place of the present one, for some time if that is said."""
+    """Hang a weight on the pin in place of the present one, for some time if given."""
 
     mass_kg: Annotated[float, msgspec.Meta(ge=0, le=HEAVIEST_KG)]
     gravity_m_s2: Annotated[float, msgspec.Meta(gt=9.7, lt=9.9)] = 9.80665
@@ -93,7 +93,7 @@ Hand = (
 
 
 class SimulatedOperator:
-    """Work on a plant that stands still."""
+    """Act on a stationary plant."""
 
     def __init__(self, plant: Plant) -> None:
         self._plant = plant
@@ -108,7 +108,7 @@ class SimulatedOperator:
         return LOCK_Nm if self._off and self._locked else 0.0
 
     def do(self, hand: Hand) -> None:
-        """Do what is asked; raise UnusableInput where a person could not."""
+        """Carry out an action; raise UnusableInput where a person could not."""
         if self._plant.state().speed_rad_per_s != 0.0:
             raise UnusableInput("hand: the spindle turns; stop it first.")
         if isinstance(hand, HangWeight | SetMicrometer | ReleaseCrank) and not self._off:
@@ -142,7 +142,7 @@ class SimulatedOperator:
 
 
 def hand_of(tree: dict[str, object]) -> Hand:
-    """Return the hand of a control message's table; raise UnusableInput."""
+    """Return the action of a control message's table; raise UnusableInput."""
     try:
         hand: Hand = msgspec.convert(tree, Hand)
     except msgspec.ValidationError as error:

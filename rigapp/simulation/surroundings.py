@@ -1,14 +1,14 @@
-"""What the laboratory around the simulated rig is like, and what free inputs and slow devices see.
+"""The laboratory around the simulated rig, and the values of free inputs and slow devices.
 
 The bushing is warmed by the power of friction in the joint: force along the wall times sliding
 speed, through a first-order lag (see ``kernels``). The room's temperature and humidity swing about
-their means, once a day if nothing else is said, against each other: warmer air of the same water is
+their means, once a day by default, against each other: warmer air of the same water is
 drier. Their day begins when the crank first leaves its rest, so that a test of the same seed is the
-same however long the rig stood before.
+same however long the rig was at rest before.
 
 A free input of the rig file carries the quantity that its channel is named after,
-``[channels.bushing_temperature]``, ``room_temperature`` or ``humidity``; to any other nothing is
-connected, and it floats near 0 V. A slow device sees the same by its quantities' names.
+``[channels.bushing_temperature]``, ``room_temperature`` or ``humidity``; any other is not
+connected and floats near 0 V. A slow device measures the same by its quantities' names.
 """
 
 from __future__ import annotations
@@ -65,11 +65,11 @@ QUANTITIES: Mapping[str, Values] = {
 
 
 class FreeInputs:
-    """The analog inputs of ``[channels.NAME]``: what stands at their terminals."""
+    """The analog inputs of ``[channels.NAME]``: the voltages at their terminals."""
 
     def __init__(self, rig: RigFile) -> None:
         self._plant = plant_section(rig)
-        self._channels = {name: one for name, one in rig.channels.items() if not one.source}
+        self._channels = {name: free for name, free in rig.channels.items() if not free.source}
 
     def __len__(self) -> int:
         """Return how many there are."""
@@ -77,20 +77,20 @@ class FreeInputs:
 
     def voltages(self, samples: Samples) -> dict[str, Array]:
         """Return (samples,) in V for each, by the name of its channel."""
-        found = {}
+        volts = {}
         for row, (name, section) in enumerate(self._channels.items()):
             noise = samples.free_noise[row]
             values = QUANTITIES.get(name)
             if values is None:
-                found[name] = FLOATING_NOISE_V * noise
+                volts[name] = FLOATING_NOISE_V * noise
                 continue
             value = values(self._plant, samples.bushing_rise_K, samples.warm_s)
-            found[name] = _volts(section, value) + CONNECTED_NOISE_V * noise
-        return found
+            volts[name] = _volts(section, value) + CONNECTED_NOISE_V * noise
+        return volts
 
 
 def _volts(section: ChannelSection, value: Array) -> Array:
-    """Return the voltage that stands for a value: the channel's scale or table, backwards."""
+    """Return the voltage of a value: the channel's scale or table, inverted."""
     if section.table:
         pairs = np.array(sorted(section.table, key=lambda pair: pair[1]))
         return np.asarray(np.interp(value, pairs[:, 1], pairs[:, 0]))
@@ -100,10 +100,10 @@ def _volts(section: ChannelSection, value: Array) -> Array:
 def slow_values(
     quantities: tuple[str, ...], plant: PlantSection, rise_K: float, warm_s: float
 ) -> dict[str, float]:
-    """Return what a slow device sees now, by its quantities; unknown ones are left out."""
-    found = {}
+    """Return the values of a slow device by its quantities; unknown ones are left out."""
+    result = {}
     for quantity in quantities:
         values = QUANTITIES.get(quantity.rpartition("_")[0])
         if values is not None:
-            found[quantity] = float(values(plant, np.array(rise_K), np.array(warm_s)))
-    return found
+            result[quantity] = float(values(plant, np.array(rise_K), np.array(warm_s)))
+    return result

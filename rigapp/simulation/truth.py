@@ -21,11 +21,11 @@ COLUMNS = (
     "wear_depth_m",
 )
 _NO_TRUTH = ("sample", "shaft_revolutions")
-ROOM = 1 << 20  # 64 MB; then every second row goes
+ROOM = 1 << 20  # 64 MB; then every second row is dropped
 
 
 class TruthRecorder:
-    """Record every n-th sample's truth; when the room is full, every second row goes, n doubles."""
+    """Record every n-th sample's truth; when memory is full, drop every second row and double n."""
 
     def __init__(self, path: Path, stride: int = 4, room: int = ROOM) -> None:
         self._path = path
@@ -46,11 +46,11 @@ class TruthRecorder:
         self._count += block.shape[1]
 
     def arrays(self) -> dict[str, Array]:
-        """Return what was kept, a column a name."""
+        """Return the recorded columns by name."""
         return {name: self._rows[i, : self._count] for i, name in enumerate(COLUMNS)}
 
     def save(self) -> None:
-        """Write the file whole: first beside it, then in its place."""
+        """Write the file under another name, then move it into place."""
         fresh = self._path.with_name(self._path.name + ".new")
         with fresh.open("wb") as file:
             np.savez(file, allow_pickle=False, **self.arrays())

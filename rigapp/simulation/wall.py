@@ -1,4 +1,4 @@
-"""The bushing's wall in the simulated rig: how it gives way under the pin, and how it wears.
+"""The bushing's wall in the simulated rig: its elasticity and its wear.
 
 Elasticity is in closed form: in a ring whose rim is fixed a radial traction cos(n t) on the bore
 moves the bore by a_n cos(n t); Navier's equations in plane strain have four powers of the radius
@@ -53,7 +53,7 @@ wear coefficient (N/m), slip at this force since the table was made (m)."""
 
 
 class Wall(NamedTuple):
-    """Hold a wall: its nodes and compliance, which stay, and its wear, which grows.
+    """A wall: its nodes and compliance, which stay, and its wear, which grows.
 
     angle, weight (NODES,): rad; compliance (NODES, NODES): m/Pa; worn (NODES,): radial depth, m;
     table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): of each force, Pa; state: see TOP.
@@ -73,7 +73,7 @@ WALL = types.NamedTuple((ROW, ROW, SQUARE, ROW, SQUARE, SQUARE, ROW), Wall)
 
 
 class Bore(NamedTuple):
-    """Hold what the contact needs to know beside the wall; SI units, K in m^2/N."""
+    """The constants of the contact beside the wall; SI units, K in m^2/N."""
 
     pin_radius: float
     bushing_radius: float
@@ -121,8 +121,8 @@ def _nodes(first: float) -> Array:
         middle = 0.5 * (low + high)
         wide = REACH_RAD * math.sinh(middle / (NODES - 1)) / math.sinh(middle) > first
         low, high = (middle, high) if wide else (low, middle)
-    place = np.linspace(0.0, 1.0, NODES)
-    return np.asarray(REACH_RAD * np.sinh(high * place) / math.sinh(high))
+    share = np.linspace(0.0, 1.0, NODES)
+    return np.asarray(REACH_RAD * np.sinh(high * share) / math.sinh(high))
 
 
 def _hat(angle: Array, wave: Array) -> Array:
@@ -135,13 +135,13 @@ def _hat(angle: Array, wave: Array) -> Array:
         # (1 - cos) / n^2 without the loss of digits of the difference.
         return np.asarray(2.0 * (np.sin(0.5 * np.outer(at, n)) / n) ** 2)
 
-    whole = (
+    integral = (
         double_integral(angle - left) / left[:, None]
         + double_integral(angle + right) / right[:, None]
     )
-    whole = whole - double_integral(angle) * (1.0 / left + 1.0 / right)[:, None]
-    whole[0] *= 0.5
-    return np.asarray(whole)
+    integral = integral - double_integral(angle) * (1.0 / left + 1.0 / right)[:, None]
+    integral[0] *= 0.5
+    return np.asarray(integral)
 
 
 def _compliance(angle: Array, inner: float, outer: float, modulus: float, poisson: float) -> Array:
@@ -176,16 +176,16 @@ def wave_compliance(n: float, inner: float, outer: float, modulus: float, poisso
     bore, rim = np.where(grows, ratio, 1.0), np.where(grows, 1.0, ratio)
     stress = (k * powers + lame * (1.0 + n * v)) * bore / inner
     shearing = shear * (powers * v - n - v) * bore / inner
-    found = np.linalg.solve(np.array([stress, shearing, rim, rim * v]), [-1.0, 0.0, 0.0, 0.0])
-    return float(found @ bore)
+    solution = np.linalg.solve(np.array([stress, shearing, rim, rim * v]), [-1.0, 0.0, 0.0, 0.0])
+    return float(solution @ bore)
 
 
 @njit(types.void(WALL, BORE, SQUARE), **UNCOUNTED)
 def shape(w: Wall, k: Bore, at: Array) -> None:
-    """Write what the pin's circle is at each node when it touches in the middle: ``at`` (4, NODES).
+    """Write the pin's circle at each node when it touches in the middle: ``at`` (4, NODES).
 
-    How far it reaches beyond the worn bore along the ray, m (0 or less); how much of a step of the
-    pin's centre arrives there; arc of the pin for a radian of the bore, m; cosine of the angle
+    Rows: its overlap with the worn bore along the ray, m (0 or less); the part of a step of the
+    pin's centre that arrives there; arc of the pin for a radian of the bore, m; cosine of the angle
     between ray and normal.
     """
     away = k.bushing_radius - k.pin_radius + w.worn[0]
@@ -201,14 +201,14 @@ def shape(w: Wall, k: Bore, at: Array) -> None:
 
 @njit(int64(WALL, BORE, F, F, SQUARE, SQUARE, SQUARE), **UNCOUNTED)
 def eliminate(
-    w: Wall, k: Bore, slip: float, force: float, at: Array, factors: Array, found: Array
+    w: Wall, k: Bore, slip: float, force: float, at: Array, factors: Array, solved: Array
 ) -> int:
     """Factorise [compliance + wear] node by node, until the contact carries a force (N/m).
 
     Return how many nodes touch then; the first m rows and columns are the contact of m nodes.
-    factors (NODES, NODES): lower (unit diagonal) and upper; found (5, NODES): both right-hand sides
+    factors (NODES, NODES): lower (unit diagonal), upper; solved (5, NODES): both right-hand sides
     after elimination, and the forces (N/m) that a contact so wide carries for a step of the pin's
-    centre of 1 m, and for none; last, what the next node needs of them.
+    centre of 1 m, and for none; last, the factors for the next node.
     """
     slope, base = 0.0, 0.0
     for m in range(len(w.angle)):
@@ -226,13 +226,13 @@ def eliminate(
         step, room = at[1, m], at[0, m]
         carried = 2.0 * w.weight[m] * at[2, m] * at[1, m] * at[3, m]
         for j in range(m):
-            step -= factors[m, j] * found[0, j]
-            room -= factors[m, j] * found[1, j]
-            carried -= found[4, j] * factors[j, m]
-        found[0, m], found[1, m], found[4, m] = step, room, carried / factors[m, m]
-        slope += found[4, m] * step
-        base += found[4, m] * room
-        found[2, m], found[3, m] = slope, base
+            step -= factors[m, j] * solved[0, j]
+            room -= factors[m, j] * solved[1, j]
+            carried -= solved[4, j] * factors[j, m]
+        solved[0, m], solved[1, m], solved[4, m] = step, room, carried / factors[m, m]
+        slope += solved[4, m] * step
+        base += solved[4, m] * room
+        solved[2, m], solved[3, m] = slope, base
         if m > 0 and room + (force - base) / slope * step <= 0.0:
             return m
     return len(w.angle)
@@ -240,25 +240,25 @@ def eliminate(
 
 @njit(types.void(WALL, BORE, F), cache=True)
 def tabulate(w: Wall, k: Bore, slip: float) -> None:
-    """Make the table anew for the wall as it is worn; pressures hold for a slip (m) to come."""
+    """Make the table again for the worn wall; pressures hold for a slip (m) to come."""
     count = len(w.angle)
-    at, factors, found = np.empty((4, count)), np.empty((count, count)), np.empty((5, count))
+    at, factors, solved = np.empty((4, count)), np.empty((count, count)), np.empty((5, count))
     shape(w, k, at)
     top = w.state[TOP] / k.width
-    widest = eliminate(w, k, slip, top, at, factors, found)
+    widest = eliminate(w, k, slip, top, at, factors, solved)
     for level in range(1, LEVELS + 1):
         force = top * (level / LEVELS) ** 2
         width, sunk = 0, 0.0
         while width < widest:
-            deeper = (force - found[3, width]) / found[2, width]
-            if width > 0 and found[1, width] + deeper * found[0, width] <= 0.0:
+            deeper = (force - solved[3, width]) / solved[2, width]
+            if width > 0 and solved[1, width] + deeper * solved[0, width] <= 0.0:
                 break
             width, sunk = width + 1, deeper
         p = w.pressure[level]
         p[:] = 0.0
         approach, area = 0.0, 0.0
         for i in range(width - 1, -1, -1):
-            value = found[1, i] + sunk * found[0, i]
+            value = solved[1, i] + sunk * solved[0, i]
             for j in range(i + 1, width):
                 value -= factors[i, j] * p[j]
             p[i] = value / factors[i, i]
@@ -269,7 +269,7 @@ def tabulate(w: Wall, k: Bore, slip: float) -> None:
 
 @njit(types.void(WALL, BORE, F), **UNCOUNTED)
 def renew(w: Wall, k: Bore, force: float) -> None:
-    """Wear the wall by what the table has gathered and make a new one, for at least a force (N)."""
+    """Apply the wear summed up in the table, and make a new one for at least a force (N)."""
     away = k.bushing_radius - k.pin_radius + w.worn[0]
     for i in range(len(w.angle)):
         lean = math.sqrt(1.0 - (away * math.sin(w.angle[i]) / k.pin_radius) ** 2)
@@ -286,7 +286,7 @@ def renew(w: Wall, k: Bore, force: float) -> None:
 
 
 @njit(types.Tuple((int64, F))(ROW, F), forceinline=True, **UNCOUNTED)
-def place(state: Array, force: float) -> tuple[int, float]:
+def row_of(state: Array, force: float) -> tuple[int, float]:
     """Return the row of the table below a force (N) and which part of the way to the next it is."""
     share = LEVELS**2 * max(force, 0.0) / state[TOP]
     level = max(0, min(int(math.sqrt(share)), LEVELS - 1))
@@ -296,7 +296,7 @@ def place(state: Array, force: float) -> tuple[int, float]:
 @njit(float64(SQUARE, ROW, F, int64), forceinline=True, **UNCOUNTED)
 def looked_up(table: Array, state: Array, force: float, column: int) -> float:
     """Return a column of the table at a force, N."""
-    level, part = place(state, force)
+    level, part = row_of(state, force)
     return (1.0 - part) * table[level, column] + part * table[level + 1, column]
 
 
@@ -311,7 +311,7 @@ def worn(
     """
     if force <= 0.0 or wear_coefficient == 0.0:
         return 0.0, 0.0
-    level, part = place(state, force)
+    level, part = row_of(state, force)
     low, high = (1.0 - part) * slip, part * slip
     table[level, SLID] += low
     table[level + 1, SLID] += high

@@ -1,7 +1,7 @@
 """Where the host finds a simulated device: a port that is a TCP socket; ``pty`` has another.
 
-An endpoint never blocks. It knows whether a host has the other end open, survives the host's
-closing and opening again, and can be taken away and put back like a cable.
+An endpoint never blocks. It detects whether a host has the other end open, survives the host's
+closing and opening again, and can be unplugged and plugged in like a cable.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ class Endpoint(Protocol):
 
     @property
     def url(self) -> str:
-        """Return what the host opens; the same for the endpoint's whole life."""
+        """Return the URL for the host; it never changes."""
 
     def connected(self) -> bool:
-        """Tell whether a host has the other end open."""
+        """Return whether a host has the other end open."""
 
     def waitable(self) -> list[int]:
-        """Return the descriptors whose readability means that something happened."""
+        """Return the descriptors to wait for."""
 
     def read(self) -> bytes:
         """Return what the host has written, b"" when nothing; never blocks."""
 
     def write(self, data: bytes | memoryview) -> int:
-        """Give bytes to the host, as many as go; return how many went."""
+        """Send bytes to the host, as many as it takes; return their number."""
 
     def unread(self) -> int:
         """Return the bytes that the host has not yet read, where that can be known, else 0."""
@@ -46,7 +46,7 @@ class Endpoint(Protocol):
 
 
 class SocketEndpoint:
-    """A TCP server on the loopback for one host at a time; a second one is turned away."""
+    """A TCP server on the loopback for one host at a time; a second one is refused."""
 
     def __init__(self) -> None:
         self._port = 0

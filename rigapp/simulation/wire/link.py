@@ -1,8 +1,9 @@
 """The wire between a simulated device and the host: bounded queue, and the wire's own faults.
 
-A pty or socket holds data back; a device loses it. So what does not go at once waits in a bounded
-queue, and when that is full the OLDEST measured data are dropped, whole deliveries at a time, never
-one that is half sent. Answers are kept. Faults act between queue and endpoint, on the wire's clock.
+A pty or socket holds data back; a device loses it. So data that cannot be sent at once wait in a
+bounded queue, and when that is full the OLDEST measured data are dropped, whole deliveries at a
+time, never one that is half sent. Answers are kept. Faults act between queue and endpoint, on the
+wire's clock.
 """
 
 from __future__ import annotations
@@ -21,11 +22,11 @@ HANDOVER_S = 0.00015  # a pty passes bytes on in less than 0.1 ms
 
 
 class WireFault(enum.StrEnum):
-    """Name what can happen to a wire."""
+    """The faults of a wire."""
 
     CABLE_PULL = "cable_pull"
     HANG = "hang"
-    HOLD = "hold"  # what the device sends stays in it and comes late, at once
+    HOLD = "hold"  # the device's output is held back and comes late, at once
     GARBAGE = "garbage"
     TRUNCATED = "truncated"
     SPLIT = "split"
@@ -40,7 +41,7 @@ class _Delivery:
 
 
 class OutputQueue:
-    """Keep what the host has not taken, at most ``limit`` bytes."""
+    """Keep data that the host has not taken, at most ``limit`` bytes."""
 
     def __init__(self, limit: int = QUEUE_BYTES) -> None:
         self.limit = limit
@@ -65,7 +66,7 @@ class OutputQueue:
         return memoryview(self._deliveries[0].data)[self._sent :]
 
     def sent(self, count: int) -> None:
-        """Take note that ``count`` bytes of the head went."""
+        """Remove ``count`` sent bytes of the head."""
         self._sent += count
         self.bytes -= count
         if self._sent == len(self._deliveries[0].data):
@@ -73,7 +74,7 @@ class OutputQueue:
             self._sent = 0
 
     def clear(self) -> None:
-        """Forget everything."""
+        """Drop everything."""
         self._deliveries.clear()
         self.bytes = 0
         self._sent = 0
@@ -91,7 +92,7 @@ class OutputQueue:
 
 
 class SimulatedWire:
-    """Carry bytes between one simulated device and whoever opens its endpoint.
+    """Transport bytes between one simulated device and the host of its endpoint.
 
     Fault options: garbage ``bytes`` before each delivery, truncated ``bytes`` cut out of one,
     split into pieces of ``bytes``, slow by ``delay_s``.
@@ -123,19 +124,19 @@ class SimulatedWire:
             self.endpoint.restore()
 
     def connected(self) -> bool:
-        """Tell whether a host has the port open."""
+        """Return whether a host has the port open."""
         connected = self.endpoint.connected()
         if not connected:
             self._queue.clear()
         return connected
 
     def receive(self) -> bytes:
-        """Return what the host sent; a device that hangs hears nothing."""
+        """Return the host's data; nothing while the device hangs."""
         data = self.endpoint.read()
         return b"" if WireFault.HANG in self._faults else data
 
     def send(self, data: bytes, now_s: float, *, droppable: bool) -> bool:
-        """Queue a delivery and send what goes; return False when older data were dropped."""
+        """Queue a delivery and send as much as goes; return False when older data were dropped."""
         if not data or WireFault.HANG in self._faults or not self.endpoint.connected():
             return True
         data = self._spoilt(data)
@@ -170,8 +171,8 @@ class SimulatedWire:
     def backlog(self, now_s: float) -> int:
         """Return the bytes in the queue and those that the host has not yet read.
 
-        The kernel passes what was written on a little later: what went just now counts as unread.
-        What a device holds back is no backlog: it goes on measuring.
+        The kernel passes data on a little later: data sent just now count as unread. Data that a
+        device holds back are no backlog: it goes on measuring.
         """
         if WireFault.HOLD in self._faults:
             return 0
