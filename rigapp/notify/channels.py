@@ -1,4 +1,4 @@
-"""The ways to reach somebody: what stands in rig file and user's file, looked at and used."""
+"""The channels for messages: those of rig file and user's file, their checks and use."""
 
 from __future__ import annotations
 
@@ -34,30 +34,30 @@ if TYPE_CHECKING:
     from tomlkit import TOMLDocument
 
 ATTEMPT_S = 120.0
-"""An attempt that takes longer is ended: a healthy server answers within seconds, and a computer
-that is busy takes its time to begin."""
+"""An attempt that takes longer is ended: a healthy server answers within seconds, and a busy
+computer needs time to begin."""
 
 
 @dataclass(frozen=True, slots=True)
 class DeliveryChannels:
-    """All ways of a rig: its own and those of the user, each with a name; the ping, if any."""
+    """All channels of a rig: its own and those of the user, each with a name; the ping, if any."""
 
     ways: tuple[NotifySection, ...] = ()
     ping: PingSection | None = None
     secrets: Path = Path()
 
     def __bool__(self) -> bool:
-        """Tell whether anybody is told of anything."""
+        """Return whether there is any channel or ping."""
         return bool(self.ways) or self.ping is not None
 
 
 def user_folder() -> Path:
-    """Return where the user's ``notify.toml`` and ``secrets.toml`` are."""
+    """Return the folder of the user's ``notify.toml`` and ``secrets.toml``."""
     return platformdirs.user_config_path("rigapp")
 
 
 def ways_of(rig: Document[RigFile] | None) -> DeliveryChannels:
-    """Return the ways of a rig, of the user alone without one; raise UnusableInput."""
+    """Return the channels of a rig, of the user alone without one; raise UnusableInput."""
     own = user_folder() / "notify.toml"
     user = read_document(own, NotifyFile).record if own.exists() else None
     sections = [*(rig.record.notify if rig is not None else ()), *(user.notify if user else ())]
@@ -78,7 +78,7 @@ def ways_of(rig: Document[RigFile] | None) -> DeliveryChannels:
 
 @dataclass(frozen=True, slots=True)
 class ListedWay:
-    """A way as it is listed: name, where it leads, what it tells of; own: of the user's file."""
+    """A channel in a list: name, address, kinds of events; own: of the user's file."""
 
     name: str
     leads_to: str
@@ -87,7 +87,7 @@ class ListedWay:
 
 
 def listed_ways(rig: Document[RigFile] | None) -> tuple[ListedWay, ...]:
-    """Return the ways of a rig and of the user; raise UnusableInput."""
+    """Return the channels of a rig and of the user for a list; raise UnusableInput."""
     of_rig = len(rig.record.notify) if rig is not None else 0
     return tuple(
         ListedWay(way.name, address(way.url) or way.command[0], way.when, number >= of_rig)
@@ -96,7 +96,7 @@ def listed_ways(rig: Document[RigFile] | None) -> tuple[ListedWay, ...]:
 
 
 def add_way(way: NotifySection) -> None:
-    """Add a way to the user's file, comments kept; raise UnusableInput for one that is unusable."""
+    """Add a channel to the user's file, comments kept; raise UnusableInput for an unusable one."""
 
     def add(document: TOMLDocument) -> None:
         import tomlkit
@@ -112,7 +112,7 @@ def add_way(way: NotifySection) -> None:
 
 
 def remove_way(name: str) -> None:
-    """Remove a way of the user's file by its name, or by its number where it has none."""
+    """Remove a channel of the user's file by its name, or by its number where it has none."""
 
     def remove(document: TOMLDocument) -> None:
         ways = document.get("notify", [])
@@ -142,7 +142,7 @@ def _change_user_file(change: Callable[[TOMLDocument], None]) -> None:
 
 
 def address(url: str) -> str:
-    """Return where a URL leads, for the log: scheme and host, no secret and no path."""
+    """Return the address of a URL for the log: scheme and host, no secret and no path."""
     if REFERENCE.fullmatch(url):
         return url
     try:
@@ -153,7 +153,7 @@ def address(url: str) -> str:
 
 
 def inspected(ways: DeliveryChannels) -> list[str]:
-    """Return why ways cannot be used as they stand, one sentence each; nothing is sent."""
+    """Return the faults of channels, one sentence each; nothing is sent."""
     requested: list[tuple[str, NotifySection | PingSection]] = [
         (way.name, way) for way in ways.ways
     ]
@@ -179,7 +179,7 @@ def _inspect(way: NotifySection | PingSection, secrets: Path) -> DeliveryResult:
 
 
 def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) -> DeliveryResult:
-    """Send messages by a way as one, within ATTEMPT_S; never raises."""
+    """Send messages by a channel as one, within ATTEMPT_S; never raises."""
     title, text = worded(rig, batch)
     level = worst_level(batch)
     if way.url:
@@ -201,7 +201,7 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
 
 
 def attempt(request: AttemptRequest) -> DeliveryResult:
-    """Let a process of its own make an attempt, and end it when it takes too long."""
+    """Make an attempt in a process of its own, and end it when it takes too long."""
     argv = module_command("rigapp.notify.delivery")
     try:
         status, answer = _bounded(argv, json_bytes(request), keep=True)
@@ -212,8 +212,8 @@ def attempt(request: AttemptRequest) -> DeliveryResult:
         return DeliveryResult(False, f"the attempt failed ‹{type(error).__name__}›")
 
 
-def _bounded(argv: Sequence[str], given: bytes, *, keep: bool) -> tuple[int | None, bytes]:
-    """Run a program; return its exit status, None when it took too long, and what it wrote."""
+def _bounded(argv: Sequence[str], text: bytes, *, keep: bool) -> tuple[int | None, bytes]:
+    """Run a program; return its exit status, None when it took too long, and its output."""
     process = subprocess.Popen(
         argv,
         stdin=subprocess.PIPE,
@@ -222,7 +222,7 @@ def _bounded(argv: Sequence[str], given: bytes, *, keep: bool) -> tuple[int | No
         start_new_session=True,
     )
     try:
-        written, _ = process.communicate(given, ATTEMPT_S)
+        written, _ = process.communicate(text, ATTEMPT_S)
     except subprocess.TimeoutExpired:
         return None, b""
     finally:

@@ -1,8 +1,8 @@
-"""One attempt to reach somebody, in a process of its own that alone learns the secrets.
+"""One attempt of a delivery, in a process of its own that alone reads the secrets.
 
 ``python -m rigapp.notify.delivery`` takes an ``AttemptRequest`` on standard input and writes an
-``DeliveryResult`` on standard output. Whoever starts it ends it when it takes too long: a server
-that hangs, or answers a byte a minute, holds up nothing else.
+``DeliveryResult`` on standard output. The parent ends it when it takes too long: a server that
+hangs, or answers a byte a minute, blocks nothing else.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ from rigapp.config.notify import REFERENCE
 from rigapp.process.private import SMALL_BYTES, open_to_others, owned_by_user
 from rigapp.schema.wire import json_bytes
 
-# Secrets by name: from a file of mode 0600 or the keyring, put into a URL, taken out of a text.
-# Only the short process of one attempt looks them up; engine and notifier know names alone.
+# Secrets by name: from a file of mode 0600 or the keyring, put into a URL, removed from a text.
+# Only the short process of one attempt looks them up; engine and notifier have the names alone.
 
 KEYRING_SERVICE = "rigapp"
 """Under this service the keyring holds the secrets, each with its name as user name."""
@@ -53,9 +53,9 @@ def looked_up(names: Iterable[str], file: Path) -> dict[str, str]:
 
 
 def read_secrets(file: Path) -> dict[str, str]:
-    """Return what a file of secrets holds, nothing when there is none; raise UnusableInput.
+    """Return the secrets of a file by name, none without a file; raise UnusableInput.
 
-    It must be ours and readable by nobody else. No sentence repeats anything that stands in it.
+    It must be ours and readable by nobody else. No error repeats its content.
     """
     try:
         descriptor = os.open(file, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
@@ -130,16 +130,16 @@ def redacted(text: str, secrets: Iterable[str]) -> str:
 
 
 ANSWER_S = 15.0
-"""A server of the ping may take so long between two signs of life."""
+"""Longest pause between two bytes of a server of the ping."""
 
 MOST_REASON = 300
-"""Characters of a reason: it goes into a line of the log."""
+"""Characters of a reason in a line of the log."""
 
 
 class AttemptRequest(msgspec.Struct, frozen=True):
-    """Say what to do: judge a URL, or only look up its secrets, send a message, or ping.
+    """The task: check a URL, or only look up its secrets, send a message, or ping.
 
-    url: as in the file, with references; secrets: the file that they may stand in.
+    url: as in the file, with references; secrets: the file that may have them.
     """
 
     what: Literal["inspect", "look up", "send", "ping"]
@@ -151,14 +151,14 @@ class AttemptRequest(msgspec.Struct, frozen=True):
 
 
 class DeliveryResult(msgspec.Struct, frozen=True):
-    """Say whether it worked, or why not, without any secret."""
+    """Whether it worked, or why not, without any secret."""
 
     ok: bool
     reason: str = ""
 
 
 class _Remarks(logging.Handler):
-    """Gather what apprise has to say: its answer is yes or no, and the reason stands in its log."""
+    """Gather the log of apprise: its answer is yes or no, and the reason is in its log."""
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
@@ -169,7 +169,7 @@ class _Remarks(logging.Handler):
 
 
 def attempted(request: AttemptRequest) -> DeliveryResult:
-    """Do what a request asks for; never raises, and says no secret."""
+    """Carry out a request; never raises, and never returns a secret."""
     secrets: dict[str, str] = {}
     try:
         secrets = looked_up(names_in(request.url), Path(request.secrets))
@@ -182,7 +182,7 @@ def attempted(request: AttemptRequest) -> DeliveryResult:
             result = _by_apprise(request, url, list(secrets.values()))
     except UnusableInput as error:
         result = DeliveryResult(False, str(error))
-    except Exception as error:  # its words may hold the URL
+    except Exception as error:  # its text may hold the URL
         result = DeliveryResult(False, f"it failed ‹{type(error).__name__}›")
     clean = " ".join(redacted(result.reason, [*secrets.values()]).split())
     return msgspec.structs.replace(result, reason=clean[:MOST_REASON])
@@ -232,7 +232,7 @@ def _by_apprise(request: AttemptRequest, url: str, secrets: list[str]) -> Delive
 
 
 def _inspected(request: AttemptRequest, service: Any, secrets: list[str]) -> DeliveryResult:
-    """Refuse a URL with a secret of its own: what apprise hides must come from a reference."""
+    """Refuse a URL with a secret in it: parts that apprise hides must be references."""
     if REFERENCE.fullmatch(request.url):
         return DeliveryResult(True)
     shown = set(_parts(service.url(privacy=True)))
@@ -253,7 +253,7 @@ def _parts(url: str) -> Iterable[str]:
 def main() -> int:
     """Take one request and answer it."""
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a library prints is no answer
+    os.dup2(2, 1)  # output of a library must not mix with the answer
     request = msgspec.json.decode(sys.stdin.buffer.read(), type=AttemptRequest)
     with answers:
         answers.write(json_bytes(attempted(request)))

@@ -1,6 +1,6 @@
-"""What the engine's side tells the notifier of the rig, and what is said about the deliveries.
+"""The messages between engine and notifier: facts of the rig, and remarks on deliveries.
 
-No record here holds a secret: the engine and the notifier never know one.
+No record here holds a secret: the engine and the notifier never have one.
 """
 
 from __future__ import annotations
@@ -13,24 +13,24 @@ from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 
 
 class Heartbeat(msgspec.Struct, frozen=True, tag_field="event", tag="sign"):
-    """The engine lives, and this is its status."""
+    """The engine runs, with this status."""
 
     status: Status
 
 
 class Farewell(msgspec.Struct, frozen=True, tag_field="event", tag="farewell"):
-    """The engine ends as it should."""
+    """The engine ends in order."""
 
 
 class DiskSeen(msgspec.Struct, frozen=True, tag_field="event", tag="disk"):
-    """So much is free where the test's file is."""
+    """The free disk space for the test's file."""
 
     folder: str
     free_bytes: int
 
 
 class Silence(msgspec.Struct, frozen=True, tag_field="event", tag="silence"):
-    """The engine has sent no heartbeat. gone: its process is there no more."""
+    """The engine has sent no heartbeat. gone: its process has ended."""
 
     silent_s: float
     gone: bool
@@ -40,7 +40,7 @@ Observation = StateChanged | AlarmChanged | Finished | Heartbeat | Farewell | Di
 
 
 class Fact(msgspec.Struct, frozen=True):
-    """Something that was seen, and when (UTC s); number: counted within a run of the engine."""
+    """An observation and its time (UTC s); number: counted within a run of the engine."""
 
     at: float
     seen: Observation
@@ -48,9 +48,9 @@ class Fact(msgspec.Struct, frozen=True):
 
 
 class NotifierSetup(msgspec.Struct, frozen=True):
-    """Tell the notifier its ways, where its state is kept, and which run of an engine this is.
+    """The notifier's channels, the folder of its state, and the run of the engine.
 
-    rig: the path of its file, name: as its messages call it.
+    rig: the path of its file, name: in messages.
     """
 
     rig: str
@@ -63,11 +63,11 @@ class NotifierSetup(msgspec.Struct, frozen=True):
 
 
 class NotifierAnswer(msgspec.Struct, frozen=True):
-    """Say how far facts are heard, and what the log should say of deliveries.
+    """The number of the last processed fact, and remarks on deliveries for the log.
 
-    wrong: why somebody may not be told, empty while all is well; None when that has not changed.
+    wrong: why somebody may get no message, empty while all is well; None when unchanged.
     """
 
-    heard: int = 0
-    said: tuple[str, ...] = ()
+    processed: int = 0
+    remarks: tuple[str, ...] = ()
     wrong: str | None = None

@@ -1,8 +1,8 @@
 """The engine's end of the notifier: a bounded list of facts, and a thread that keeps both going.
 
-The thread gathers what the engine tells everybody who looks on, hands it to the notifier's process
-and starts another one where it has died or does not hear. Nothing of the engine ever waits for it:
-of more than ``WAITING`` facts the oldest are dropped, and that is said.
+The thread gathers the engine's notices, hands them to the notifier's process and starts another one
+where it has died or does not respond. Nothing of the engine ever waits for it: of more than
+``WAITING`` facts the oldest are dropped, which is reported.
 """
 
 from __future__ import annotations
@@ -28,22 +28,22 @@ from rigapp.schema.messages import Status
 from rigapp.schema.notices import Committed, Notices
 
 WAITING = 1000
-"""Facts that the notifier has not heard yet; alarms come by the dozen, not by the thousand."""
+"""Facts that the notifier has not processed yet; alarms come by the dozen, not by the thousand."""
 SIGN_EVERY_S = 2.0
-START_S = 480.0  # importing, on a computer that is busy, and a notifier before it that ends
-HEARS_S = 60.0
-"""A notifier that hears nothing for so long is started again; it never waits for a server."""
+START_S = 480.0  # importing, on a busy computer, and the end of the notifier before it
+ANSWERS_S = 60.0
+"""A notifier that does not respond for so long is started again; it never waits for a server."""
 RESTART_PAUSE_S = 2.0
 ATTEMPTS = 5
 FAREWELL_S = 30.0
-"""The end waits so long until the notifier has heard all, and not for what it sends."""
+"""The end waits so long until the notifier has processed all facts, not for its deliveries."""
 
 
 class NotifierLink:
-    """Feed a notifier with what an engine tells; never blocks who made it.
+    """Feed a notifier with the engine's notices; never blocks the thread that made it.
 
-    look: tells how the rig stands, several times a minute. said: told what the log should say.
-    wrong: told why somebody may not be told, and with empty words that it is over.
+    look: returns the state of the rig, several times a minute. log: called with lines for the log.
+    wrong: called with the reason why somebody may get no message, empty when that is over.
     """
 
     def __init__(
@@ -51,17 +51,17 @@ class NotifierLink:
         setup: NotifierSetup,
         notices: Notices,
         look: Callable[[], Status],
-        said: Callable[[str], None],
+        log: Callable[[str], None],
         wrong: Callable[[str], None],
         folder: Path,
     ) -> None:
         self._setup, self._notices, self._look = setup, notices, look
-        self._on_said, self._on_wrong = said, wrong
+        self._log, self._on_wrong = log, wrong
         self._folder = folder
         self._facts: deque[Fact] = deque()
-        self._number = self._handed = self._heard = 0
+        self._number = self._handed = self._processed = 0
         self._signed_at = -SIGN_EVERY_S
-        self._heard_at = 0.0
+        self._answered_at = 0.0
         self._attempts = Restarts(RESTART_PAUSE_S, ATTEMPTS)
         self._introduced = False
         self._process: MessageChild | None = None
@@ -77,7 +77,7 @@ class NotifierLink:
         return process.pid if process is not None and process.running else 0
 
     def close(self) -> None:
-        """Say farewell; what waits to be sent is left to the notifier."""
+        """Send a farewell; waiting messages are left to the notifier."""
         self._stop.set()
         self._thread.join(FAREWELL_S + 5.0)
 
@@ -100,13 +100,13 @@ class NotifierLink:
         notifier = self._process = MessageChild("rigapp.notify.notifier", self._folder, "notifier")
         self._attempts.started()
         self._introduced = False
-        self._handed, self._heard_at = self._heard, time.monotonic() + START_S
+        self._handed, self._answered_at = self._processed, time.monotonic() + START_S
         try:
             self._feed(notifier)
             if self._stop.is_set():
                 self._part(notifier)
         except zmq.ZMQError as error:
-            self._on_said(f"the notifier cannot be reached ‹{error}›")
+            self._log(f"the notifier cannot be reached ‹{error}›")
         finally:
             if self._stop.is_set():
                 notifier.leave()  # it outlives its engine, to report the end
@@ -117,17 +117,17 @@ class NotifierLink:
         while not self._stop.is_set() and notifier.running:
             self._gather()
             self._hand_over(notifier)
-            if self._facts and time.monotonic() - self._heard_at > HEARS_S:
-                self._on_said(f"the notifier hears nothing for {HEARS_S:g} s; it is started again")
+            if self._facts and time.monotonic() - self._answered_at > ANSWERS_S:
+                self._log(f"the notifier hears nothing for {ANSWERS_S:g} s; it is started again")
                 return
         if not self._stop.is_set():
             reason = notifier.last_words()
-            self._on_said(
+            self._log(
                 f"the notifier has ended{f' ‹{reason}›' if reason else ''}; it is started again"
             )
 
     def _gather(self) -> None:
-        """Take what the engine tells; wait a little for the first of it."""
+        """Take the engine's notices; wait a little for the first one."""
         notice = self._notices.get(0.1)
         while notice is not None:
             if not isinstance(notice, Committed):
@@ -138,7 +138,7 @@ class NotifierLink:
             self._add(Heartbeat(self._look()))
 
     def _add(self, seen: Observation) -> None:
-        """Note a fact; a heartbeat takes the place of one that is not handed over yet."""
+        """Note a fact; a heartbeat replaces one that is not handed over yet."""
         self._number += 1
         facts = self._facts
         newest = facts[-1] if facts and facts[-1].number > self._handed else None
@@ -154,7 +154,7 @@ class NotifierLink:
             self.dropped += 1
 
     def _hand_over(self, notifier: MessageChild) -> None:
-        """Hand over what is new, as far as the notifier takes it, and take its answers."""
+        """Hand over new facts, as far as the notifier takes them, and take its answers."""
         self._introduced = self._introduced or notifier.send(self._setup)
         if not self._introduced:
             return
@@ -167,20 +167,20 @@ class NotifierLink:
 
     def _take(self, answer: NotifierAnswer) -> None:
         self._attempts.succeeded()
-        self._heard_at = time.monotonic()
-        self._heard = max(self._heard, answer.heard)
-        while self._facts and self._facts[0].number <= self._heard:
+        self._answered_at = time.monotonic()
+        self._processed = max(self._processed, answer.processed)
+        while self._facts and self._facts[0].number <= self._processed:
             self._facts.popleft()
         if self.dropped:
-            self._on_said(f"{self.dropped} happenings were not judged for messages: too many came")
+            self._log(f"{self.dropped} happenings were not judged for messages: too many came")
             self.dropped = 0
-        for sentence in answer.said:
-            self._on_said(sentence)
+        for sentence in answer.remarks:
+            self._log(sentence)
         if answer.wrong is not None:
             self._on_wrong(answer.wrong)
 
     def _part(self, notifier: MessageChild) -> None:
-        """Hand over what there is to the end, and say farewell."""
+        """Hand over all facts, the farewell last."""
         self._gather()
         self._add(Farewell())
         deadline = time.monotonic() + FAREWELL_S

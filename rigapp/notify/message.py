@@ -1,4 +1,4 @@
-"""A message, and how it is worded for a person who is far from the rig."""
+"""A message, and its text for a person who is far from the rig."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MOST_CHARACTERS = 3000
 
 
 class Message(msgspec.Struct, frozen=True):
-    """What somebody is told. turn: of a condition that comes and goes, or told once. at: UTC s."""
+    """A message. turn: of a condition that comes and goes, or a single one. at: UTC s."""
 
     key: str
     turn: Turn
@@ -73,7 +73,7 @@ def headline(rig: str, message: Message) -> str:
 
 
 def worded(rig: str, batch: Sequence[Message]) -> tuple[str, str]:
-    """Return title and text of what is sent: one message, or several in one."""
+    """Return title and text of a delivery: one message, or several in one."""
     if len(batch) == 1:
         message = batch[0]
         text = f"{sentence_of(message.text)}\n{clock(message.at)}"
@@ -87,7 +87,7 @@ def worded(rig: str, batch: Sequence[Message]) -> tuple[str, str]:
 
 
 def worst_level(batch: Sequence[Message]) -> Level:
-    """Return how bad the worst of some messages is; what is over is no longer bad."""
+    """Return the worst level of some messages; ended conditions do not count."""
     levels = {message.level for message in batch if message.turn != "recovered"}
     if "critical" in levels:
         return "critical"
@@ -95,5 +95,5 @@ def worst_level(batch: Sequence[Message]) -> Level:
 
 
 def clock(at: float) -> str:
-    """Return a moment as this computer's clock shows it, with its distance to UTC."""
+    """Return a time by this computer's clock, with its offset from UTC."""
     return time.strftime("%Y-%m-%d %H:%M:%S %z", time.localtime(at))

@@ -1,8 +1,8 @@
 """The notifier's process: receives facts on the rig, decides what is reported, and delivers it.
 
 Started by ``rigapp.notify.link``. It does not end with its engine: it reports that the engine is
-gone, and what waits, for ``LINGER_S``; what waits longer is sent by the notifier of the next engine
-of the rig.
+gone, and sends waiting messages, for ``LINGER_S``; the rest is sent by the notifier of the next
+engine of the rig.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
-import msgspec
+from msgspec.structs import replace
 
 from rigapp.config.errors import UnusableInput
 from rigapp.config.notify import NotifySection
@@ -54,21 +54,21 @@ log = logging.getLogger("rigapp.notify.notifier")  # its process calls the modul
 
 LOOK_S = 0.2
 LINGER_S = 3600.0
-"""An engine that has ended leaves its notifier so long for what waits."""
+"""Time after the end of an engine in which its notifier sends waiting messages."""
 LOCK_S = 300.0
 """A notifier waits so long for the one before it, which may be in the midst of an attempt."""
 DISK_EVERY_S = 60.0
 WELL_S = 30.0
 """All is well only where the newest heartbeat is younger; one comes every few seconds."""
 FAILING_S = 300.0
-"""A way that fails for so long is an alarm of the rig: somebody counts on it."""
+"""A channel that fails for so long is an alarm of the rig: somebody relies on it."""
 STANDSTILL_S = 5.0
-"""A pass that took longer shows that the whole computer stood still, which is no silence."""
+"""A pass that took longer shows that the whole computer stalled, which is no silence."""
 
 
 @dataclass(slots=True)
 class _OnItsWay:
-    """What is being sent by a way."""
+    """A delivery under way by a channel."""
 
     batch: tuple[Message, ...]
     work: Background[DeliveryResult]
@@ -78,7 +78,7 @@ class Notifier:
     """Turn facts into messages and deliver them; ``step`` is called again and again."""
 
     def __init__(self, setup: NotifierSetup) -> None:
-        """Take up the state that the last notifier of the rig left."""
+        """Continue from the stored state of the last notifier of the rig."""
         self._setup = setup
         self._file = state_file(Path(setup.folder), setup.rig)
         self._ways = {identity(way): way for way in setup.ways}
@@ -89,18 +89,18 @@ class Notifier:
         self._ping: Background[DeliveryResult] | None = None
         self._disk_at = self._ping_at = -1e9
         self._ping_fails = False
-        self._said: list[str] = []
+        self._remarks: list[str] = []
         self._wrong = ""
         self._unsaved = ""
         self.farewell = False
         self.take_up()
 
     def take_up(self) -> None:
-        """Read the state anew: another notifier may have sent of it meanwhile."""
+        """Read the state again: another notifier may have sent some of it."""
         state = read_state(self._file)
         same = state.run == self._setup.run
         ways = {name: state.ways.get(name, WayState()) for name in self._ways}
-        self.state = NotifierState(ways, self._setup.run, state.heard if same else 0)
+        self.state = NotifierState(ways, self._setup.run, state.processed if same else 0)
         self._kept = settled(state)
         left = sum(len(way.outbox.waiting) for name, way in state.ways.items() if name not in ways)
         if left:
@@ -108,61 +108,61 @@ class Notifier:
 
     @property
     def idle(self) -> bool:
-        """Tell whether nothing waits and nothing is on its way."""
+        """Return whether nothing waits and no delivery is under way."""
         return not self._going and not any(way.outbox.waiting for way in self.state.ways.values())
 
     @property
     def busy(self) -> bool:
-        """Tell whether something is on its way."""
+        """Return whether a delivery is under way."""
         return bool(self._going)
 
     def step(self, facts: Sequence[Fact], *, gone: bool = False) -> NotifierAnswer | None:
-        """Hear facts, see what has come of attempts, begin others; return what is to be said.
+        """Process facts, collect ended deliveries, begin others; return an answer for the engine.
 
-        gone: the engine's process is there no more.
+        gone: the engine's process has ended.
         """
         now = time.time()
-        heard = self.state.heard
+        processed = self.state.processed
         for fact in facts:
-            if fact.number > self.state.heard:
-                self._hear(fact)
-                heard = fact.number
-        self.state = msgspec.structs.replace(self.state, heard=heard)
+            if fact.number > self.state.processed:
+                self._process(fact)
+                processed = fact.number
+        self.state = replace(self.state, processed=processed)
         for fact in self._own_facts(now, gone):
-            self._hear(fact)
+            self._process(fact)
         for name, way in self._ways.items():
             way_state = self.state.ways[name]
-            book, messages = pass_time(way, way_state.book, now, datetime.datetime.now())
-            self._note(name, msgspec.structs.replace(way_state, book=book), messages)
+            after, messages = pass_time(way, way_state.conditions, now, datetime.datetime.now())
+            self._note(name, replace(way_state, conditions=after), messages)
             self._deliver(name, way, now)
         if not gone and not self.farewell:
-            self._look_after_ping()
+            self._ping_if_due()
         self._keep()
         return self._answer(bool(facts), now)
 
-    # --- what is seen ----------------------------------------------------------------------------
+    # --- facts -----------------------------------------------------------------------------------
 
-    def _hear(self, fact: Fact) -> None:
+    def _process(self, fact: Fact) -> None:
         if isinstance(fact.seen, Heartbeat):
             self._status, self._heartbeat_at = fact.seen.status, time.monotonic()
         self.farewell |= isinstance(fact.seen, Farewell)
         for name, way in self._ways.items():
             way_state = self.state.ways[name]
-            book, messages = update(way, way_state.book, fact)
-            self._note(name, msgspec.structs.replace(way_state, book=book), messages)
+            conditions, messages = update(way, way_state.conditions, fact)
+            self._note(name, replace(way_state, conditions=conditions), messages)
 
     def _note(self, name: str, way: WayState, messages: Sequence[Message]) -> None:
         outbox = way.outbox
         for message in messages:
             outbox = put(outbox, message)
-        self._set(name, msgspec.structs.replace(way, outbox=outbox))
+        self._set(name, replace(way, outbox=outbox))
 
     def _set(self, name: str, way: WayState) -> None:
         ways = {**self.state.ways, name: way}
-        self.state = msgspec.structs.replace(self.state, ways=ways)
+        self.state = replace(self.state, ways=ways)
 
     def _own_facts(self, now: float, gone: bool) -> list[Fact]:
-        """Return what the notifier sees by itself: silence of the engine, room on the disk."""
+        """Return the notifier's own facts: silence of the engine, free disk space."""
         passed, self._passed_at = time.monotonic() - self._passed_at, time.monotonic()
         if passed > STANDSTILL_S:
             self._heartbeat_at += passed
@@ -174,7 +174,7 @@ class Notifier:
         return [*facts, Fact(now, free)] if free is not None else facts
 
     def _disk_seen(self) -> DiskSeen | None:
-        """Return the room where the test's file is, looked at in the background: it may hang."""
+        """Return the free disk space for the test's file, read in the background: it may hang."""
         test = self._status.test if self._status is not None else None
         if test is None or not test.file:
             return None
@@ -190,35 +190,35 @@ class Notifier:
         done, self._disk = self._disk, None
         return DiskSeen(str(folder), done.result()) if done.error is None else None
 
-    # --- what is sent ----------------------------------------------------------------------------
+    # --- deliveries ------------------------------------------------------------------------------
 
     def _deliver(self, name: str, way: NotifySection, now: float) -> None:
-        going = self._going.get(name)
-        if going is not None:
-            if going.work.done:
+        delivery = self._going.get(name)
+        if delivery is not None:
+            if delivery.work.done:
                 del self._going[name]
-                self._took(name, way, going, now)
+                self._took(name, way, delivery, now)
             return
         batch = due(self.state.ways[name].outbox, now, way.most_per_hour)
         if batch:
-            self._keep()  # before it goes: what was told must not be told again by the next one
+            self._keep()  # before sending: the next notifier must not report it again
             lost = self.state.ways[name].outbox.lost
             messages = (*batch, _lost(lost, now)) if lost else batch
             secrets, rig = Path(self._setup.secrets), self._setup.name
             work = Background(lambda: tell(way, secrets, rig, messages), f"tell by {way.name}")
             self._going[name] = _OnItsWay(batch, work)
 
-    def _took(self, name: str, way: NotifySection, going: _OnItsWay, now: float) -> None:
-        """Take note of what has become of an attempt."""
+    def _took(self, name: str, way: NotifySection, delivery: _OnItsWay, now: float) -> None:
+        """Record the result of an attempt."""
         way_state = self.state.ways[name]
-        error = going.work.error
+        error = delivery.work.error
         result = (
-            going.work.result() if error is None else DeliveryResult(False, type(error).__name__)
+            delivery.work.result() if error is None else DeliveryResult(False, type(error).__name__)
         )
-        titles = ", ".join(f"{it.title} ({it.turn})" for it in going.batch)
+        titles = ", ".join(f"{message.title} ({message.turn})" for message in delivery.batch)
         where = way.command[0] if way.command else address(way.url)
         if result.ok:
-            outbox = sent(way_state.outbox, going.batch, now)
+            outbox = sent(way_state.outbox, delivery.batch, now)
             tries = (
                 f", at attempt {way_state.outbox.failures + 1}" if way_state.outbox.failures else ""
             )
@@ -230,10 +230,10 @@ class Notifier:
                     f"{way.name}, {where}, could not be told: {titles}."
                     f" {result.reason.rstrip('.')}; it is tried again and again"
                 )
-        self._set(name, msgspec.structs.replace(way_state, outbox=outbox))
+        self._set(name, replace(way_state, outbox=outbox))
 
-    def _look_after_ping(self) -> None:
-        """Ping while all is well, no more often than wanted."""
+    def _ping_if_due(self) -> None:
+        """Ping while all is well, at the set interval."""
         ping = self._setup.ping
         if ping is None:
             return
@@ -262,12 +262,12 @@ class Notifier:
             self._say(f"the ping to {where} {why}")
         self._ping_fails = not result.ok
 
-    # --- what is kept and said -------------------------------------------------------------------
+    # --- state and remarks -----------------------------------------------------------------------
 
     def _keep(self) -> None:
-        """Write the state where it has changed; what cannot be written is kept in memory."""
+        """Write the state if it has changed; if that fails it stays in memory."""
         kept = settled(self.state)
-        if msgspec.structs.replace(kept, heard=0) == msgspec.structs.replace(self._kept, heard=0):
+        if replace(kept, processed=0) == replace(self._kept, processed=0):
             return
         try:
             write_state(self._file, kept)
@@ -278,7 +278,7 @@ class Notifier:
 
     def _say(self, sentence: str) -> None:
         log.info("%s", sentence)
-        self._said.append(sentence)
+        self._remarks.append(sentence)
 
     def _answer(self, heard: bool, now: float) -> NotifierAnswer | None:
         wrong = self._unsaved or next(
@@ -290,12 +290,12 @@ class Notifier:
             ),
             "",
         )
-        if not heard and not self._said and wrong == self._wrong:
+        if not heard and not self._remarks and wrong == self._wrong:
             return None
-        said, self._said = tuple(self._said), []
+        remarks, self._remarks = tuple(self._remarks), []
         changed = None if wrong == self._wrong else wrong
         self._wrong = wrong
-        return NotifierAnswer(self.state.heard, said, changed)
+        return NotifierAnswer(self.state.processed, remarks, changed)
 
 
 def _lost(number: int, now: float) -> Message:
@@ -304,7 +304,7 @@ def _lost(number: int, now: float) -> Message:
 
 
 def serve(engine: Parent, setup: NotifierSetup) -> None:
-    """Deliver while the engine lives, and for a while after it."""
+    """Deliver while the engine runs, and for a while after it."""
     file = state_file(Path(setup.folder), setup.rig)
     with ExitStack() as holding:
         deadline = time.monotonic() + LOCK_S
@@ -326,7 +326,7 @@ def serve(engine: Parent, setup: NotifierSetup) -> None:
 
 
 def _linger(notifier: Notifier, file: Path) -> None:
-    """Send what waits, unless another notifier of the rig has taken it over."""
+    """Send waiting messages, unless another notifier of the rig has taken them over."""
     deadline = time.monotonic() + LINGER_S
     while not notifier.idle and time.monotonic() < deadline:
         with owned(file) as ours:

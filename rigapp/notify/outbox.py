@@ -1,4 +1,4 @@
-"""What waits to be sent by one way, and when it may go: bounded, no oftener than wanted, patient.
+"""The waiting messages of one channel: bounded, limited in rate, with pauses after failures.
 
 All here is pure: an outbox goes in, an outbox comes out.
 """
@@ -10,23 +10,23 @@ import msgspec
 from rigapp.notify.message import Message
 
 MOST_WAITING = 200
-"""Messages that wait for one way: a week of trouble, and less than a megabyte."""
+"""Messages that wait for one channel: a week of trouble, and less than a megabyte."""
 
 MOST_IN_ONE = 20
-"""Messages that go in one when the hour has no room for each; each keeps some lines."""
+"""Messages combined in one when the hourly limit is too low; each keeps some lines."""
 
 FIRST_WAIT_S, LONGEST_WAIT_S = 5.0, 900.0
-"""After a failure it is tried again so long later, twice as long each time: soon after a hiccup,
-and within a quarter of an hour after an outage of any length."""
+"""Pause after a failure, doubled each time: short after a brief outage, and a quarter of an hour
+at most after an outage of any length."""
 
 HOUR_S = 3600.0
 
 
 class Outbox(msgspec.Struct, frozen=True):
-    """Messages in their order; when the last hour's were sent, how often it failed since.
+    """Messages in their order; times of the last hour's, and failures since.
 
     sent_at: UTC s, of the last hour. not_before: UTC s. failing_since: 0 while it works. lost:
-    messages that had no room since the last one was sent.
+    messages dropped since the last one was sent.
     """
 
     waiting: tuple[Message, ...] = ()
@@ -38,7 +38,7 @@ class Outbox(msgspec.Struct, frozen=True):
 
 
 def put(outbox: Outbox, message: Message) -> Outbox:
-    """Add a message; of too many the oldest goes that tells of nothing critical."""
+    """Add a message; of too many the oldest one that is not critical is dropped."""
     waiting, lost = [*outbox.waiting, message], outbox.lost
     while len(waiting) > MOST_WAITING:
         minor = (index for index, message in enumerate(waiting) if message.level != "critical")
@@ -48,10 +48,10 @@ def put(outbox: Outbox, message: Message) -> Outbox:
 
 
 def due(outbox: Outbox, now: float, most_per_hour: int) -> tuple[Message, ...]:
-    """Return what is to be sent now: the oldest message, or several in one; nothing: wait.
+    """Return the messages to send now: the oldest one, or several in one; none: wait.
 
-    Several go in one when the hour has less room than messages wait, so that none waits for long
-    and none is left out.
+    Several are combined when more wait than the hour allows, so that none waits for long and none
+    is left out.
     """
     left = most_per_hour - len(_of_last_hour(outbox, now))
     if not outbox.waiting or left <= 0:
@@ -65,15 +65,15 @@ def due(outbox: Outbox, now: float, most_per_hour: int) -> tuple[Message, ...]:
 
 def sent(outbox: Outbox, batch: tuple[Message, ...], now: float) -> Outbox:
     """Return the outbox after a batch has arrived."""
-    gone = set(batch)
+    delivered = set(batch)
     return Outbox(
-        waiting=tuple(message for message in outbox.waiting if message not in gone),
+        waiting=tuple(message for message in outbox.waiting if message not in delivered),
         sent_at=(*_of_last_hour(outbox, now), now),
     )
 
 
 def failed(outbox: Outbox, now: float) -> Outbox:
-    """Return the outbox after an attempt in vain: it waits, longer each time."""
+    """Return the outbox after a failed attempt, with a pause that grows each time."""
     wait = min(FIRST_WAIT_S * 2.0 ** min(outbox.failures, 30), LONGEST_WAIT_S)
     return msgspec.structs.replace(
         outbox,
@@ -84,5 +84,5 @@ def failed(outbox: Outbox, now: float) -> Outbox:
 
 
 def _of_last_hour(outbox: Outbox, now: float) -> tuple[float, ...]:
-    """Return when the last hour's messages went; times to come are of a clock that was wrong."""
+    """Return the times of the last hour's messages; later times are of a wrong clock."""
     return tuple(at for at in outbox.sent_at if 0.0 <= now - at < HOUR_S)

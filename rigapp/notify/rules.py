@@ -1,8 +1,8 @@
-"""Which fact becomes which message: conditions come in pairs, the rest is told once.
+"""The rules from facts to messages: conditions are reported in pairs, other facts once.
 
-Of every condition is told once that it came and once that it is over. What comes again within
-``recovered_after_s`` never was over. All here is pure: a book goes in, a book and messages come
-out.
+Of every condition its begin and its end are reported once. One that recurs within
+``recovered_after_s`` counts as not ended. All here is pure: a state goes in, a state and messages
+come out.
 """
 
 from __future__ import annotations
@@ -28,22 +28,22 @@ from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 from rigapp.schema.states import ACTIVE
 
 FAR_AGAIN = 1.5
-"""A criterion is near no longer when it is so many times as far as where it became near: what
-flickers about a level is told once."""
+"""A criterion is near no longer when it is so many times as far as where it became near: a value
+that fluctuates about a level is reported once."""
 
 LATE_SUMMARY_S = 3600.0
-"""A summary that could not be made at its time, as no engine ran, is made so long after it."""
+"""A summary that was missed, as no engine ran, is made up to so long after its time."""
 
 MOST_OPEN = 200
-"""Conditions that are open at a time; of more the oldest are forgotten, so that the book is
-bounded whatever happens."""
+"""Conditions that are open at a time; of more the oldest are dropped, so that the state is
+bounded."""
 
 KNOWING = frozenset(RunState) - {RunState.IDLE, RunState.CONNECTING}
-"""States in which an engine has looked at its devices, and so knows which alarms there are."""
+"""States in which an engine has checked its devices, so that its list of alarms is complete."""
 
 
 class Raised(msgspec.Struct, frozen=True):
-    """What was told and is not yet told to be over. over_at: since when it is, None while not."""
+    """A reported condition whose end is not reported yet. over_at: time of the end, None before."""
 
     title: str
     level: Level
@@ -52,7 +52,7 @@ class Raised(msgspec.Struct, frozen=True):
 
 
 class NotificationState(msgspec.Struct, frozen=True):
-    """What one way was told: open conditions by key, day and revolution of the last summary."""
+    """The state of one channel: open conditions by key, day and revolution of the last summary."""
 
     open: Mapping[str, Raised] = {}
     summary_on: str = ""
@@ -63,42 +63,42 @@ class NotificationState(msgspec.Struct, frozen=True):
 Step = tuple[NotificationState, tuple[Message, ...]]
 
 
-def update(way: NotifySection, book: NotificationState, fact: Fact) -> Step:
-    """Return the book after a fact, and what is to be told because of it."""
+def update(way: NotifySection, state: NotificationState, fact: Fact) -> Step:
+    """Return the state after a fact, and the messages that follow from it."""
     due: list[Message] = []
-    for change in _changes(way, book, fact):
+    for change in _changes(way, state, fact):
         if isinstance(change, Message):
             due.append(change)
         elif isinstance(change, _Came):
-            book, messages = _came(book, change, fact.at)
+            state, messages = _came(state, change, fact.at)
             due += messages
         else:
-            book = _went(book, change, fact.at)
+            state = _went(state, change, fact.at)
     if isinstance(fact.seen, Heartbeat):
-        book = msgspec.structs.replace(book, status=fact.seen.status)
-    return book, tuple(due)
+        state = msgspec.structs.replace(state, status=fact.seen.status)
+    return state, tuple(due)
 
 
 def pass_time(
-    way: NotifySection, book: NotificationState, now: float, local: datetime.datetime
+    way: NotifySection, state: NotificationState, now: float, local: datetime.datetime
 ) -> Step:
-    """Return the book and what is to be told because time has passed; local: now, on the wall."""
+    """Return the state and the messages that are due; local: now, by the wall clock."""
     due = []
-    for key, alarm in list(book.open.items()):
+    for key, alarm in list(state.open.items()):
         if alarm.over_at is not None and not 0.0 <= now - alarm.over_at < way.recovered_after_s:
             text = f"{alarm.how} ({clock(alarm.over_at)})."
             due.append(Message(key, "recovered", alarm.level, alarm.title, text, now))
-            book = _without(book, key)
-    if "daily" in way.when and _summary_due(way, book, local):
-        status = book.status
+            state = _without(state, key)
+    if "daily" in way.when and _summary_due(way, state, local):
+        status = state.status
         if status is not None:
             revolution = (status.test or NO_TEST).revolution
-            title, text = summary_message(status, revolution - book.summary_revolution)
+            title, text = summary_message(status, revolution - state.summary_revolution)
             due.append(Message("daily", "told", "information", title, text, now))
-            book = msgspec.structs.replace(
-                book, summary_on=local.date().isoformat(), summary_revolution=revolution
+            state = msgspec.structs.replace(
+                state, summary_on=local.date().isoformat(), summary_revolution=revolution
             )
-    return book, tuple(due)
+    return state, tuple(due)
 
 
 class _Came(msgspec.Struct, frozen=True):
@@ -117,7 +117,7 @@ class _Went(msgspec.Struct, frozen=True):
 _Change = _Came | _Went | Message
 
 
-def _changes(way: NotifySection, book: NotificationState, fact: Fact) -> Iterator[_Change]:
+def _changes(way: NotifySection, state: NotificationState, fact: Fact) -> Iterator[_Change]:
     seen = fact.seen
     match seen:
         case AlarmChanged():
@@ -128,15 +128,15 @@ def _changes(way: NotifySection, book: NotificationState, fact: Fact) -> Iterato
             yield _Went("criterion", untold=True)
             if "end" in way.when:
                 title, text = finished_message(seen)
-                meant = seen.status == "complete" or seen.reason is FinishReason.OPERATOR
-                level: Level = "information" if meant else "critical"
+                intended = seen.status == "complete" or seen.reason is FinishReason.OPERATOR
+                level: Level = "information" if intended else "critical"
                 yield Message("end", "told", level, title, text, fact.at)
         case Heartbeat():
-            yield from _of_status(way, book, seen.status)
+            yield from _of_status(way, state, seen.status)
         case DiskSeen():
             yield from _of_disk(way, seen)
         case Silence():
-            yield from _of_silence(way, book, seen)
+            yield from _of_silence(way, state, seen)
         case Farewell():
             pass
         case _:
@@ -144,7 +144,7 @@ def _changes(way: NotifySection, book: NotificationState, fact: Fact) -> Iterato
 
 
 def _of_alarm(way: NotifySection, alarm: Alarm) -> Iterator[_Change]:
-    """What an alarm becomes: a shelved one is hidden, but that it is over is told all the same."""
+    """Yield the changes by an alarm: a shelved one is hidden, but its end is still reported."""
     key = f"alarm:{alarm.key}"
     if not alarm.active:
         waits = (
@@ -168,15 +168,15 @@ def _of_state(way: NotifySection, seen: StateChanged) -> Iterator[_Change]:
         yield _Went("pause", untold=True)
 
 
-def _of_status(way: NotifySection, book: NotificationState, status: Status) -> Iterator[_Change]:
+def _of_status(way: NotifySection, state: NotificationState, status: Status) -> Iterator[_Change]:
     yield _Went("silence", "The engine is heard again")
     if status.engine.state in KNOWING:
-        # What neither rises nor clears before our ears, as we were not there, shows in the list.
+        # Alarms that rose or cleared without a notice show in the list of the status.
         active = [alarm for alarm in status.alarms if alarm.active]
         listed = {f"alarm:{alarm.key}" for alarm in active}
         for alarm in active:
             yield from _of_alarm(way, alarm)
-        for key in book.open:
+        for key in state.open:
             if key.startswith("alarm:") and key not in listed:
                 yield _Went(key, "The engine sees it no more")
     yield from _of_criterion(way, status)
@@ -205,10 +205,10 @@ def _of_disk(way: NotifySection, seen: DiskSeen) -> Iterator[_Change]:
         yield _Went("disk", f"{free_GB:.3g} GB are free")
 
 
-def _of_silence(way: NotifySection, book: NotificationState, seen: Silence) -> Iterator[_Change]:
+def _of_silence(way: NotifySection, state: NotificationState, seen: Silence) -> Iterator[_Change]:
     if "silence" not in way.when or not (seen.gone or seen.silent_s >= way.silent_after_s):
         return
-    last, what = book.status, "The engine's process has ended without a word."
+    last, what = state.status, "The engine's process has ended without a word."
     if not seen.gone:
         what = f"The engine has given no sign of life for {seen.silent_s:.0f} s."
     if last is not None and last.test:
@@ -225,43 +225,43 @@ def _of_silence(way: NotifySection, book: NotificationState, seen: Silence) -> I
     )
 
 
-def _came(book: NotificationState, change: _Came, at: float) -> Step:
-    """Open a condition and tell it; one that is open stays so, and was not over."""
-    known = book.open.get(change.key)
+def _came(state: NotificationState, change: _Came, at: float) -> Step:
+    """Open a condition and report it; an open one stays open."""
+    known = state.open.get(change.key)
     if known is not None:
         if known.over_at is None:
-            return book, ()
-        return _with(book, change.key, Raised(known.title, known.level)), ()
-    while len(book.open) >= MOST_OPEN:
-        book = _without(book, next(iter(book.open)))
-    book = _with(book, change.key, Raised(change.title, change.level))
-    return book, (Message(change.key, "raised", change.level, change.title, change.text, at),)
+            return state, ()
+        return _with(state, change.key, Raised(known.title, known.level)), ()
+    while len(state.open) >= MOST_OPEN:
+        state = _without(state, next(iter(state.open)))
+    state = _with(state, change.key, Raised(change.title, change.level))
+    return state, (Message(change.key, "raised", change.level, change.title, change.text, at),)
 
 
-def _went(book: NotificationState, change: _Went, at: float) -> NotificationState:
-    """Take note that an open condition is over."""
-    known = book.open.get(change.key)
+def _went(state: NotificationState, change: _Went, at: float) -> NotificationState:
+    """Mark an open condition as over."""
+    known = state.open.get(change.key)
     if known is None:
-        return book
+        return state
     if change.untold:
-        return _without(book, change.key)
+        return _without(state, change.key)
     if known.over_at is not None:
-        return book
+        return state
     over = msgspec.structs.replace(known, over_at=at, how=change.how)
-    return _with(book, change.key, over)
+    return _with(state, change.key, over)
 
 
-def _with(book: NotificationState, key: str, condition: Raised) -> NotificationState:
-    return msgspec.structs.replace(book, open={**book.open, key: condition})
+def _with(state: NotificationState, key: str, condition: Raised) -> NotificationState:
+    return msgspec.structs.replace(state, open={**state.open, key: condition})
 
 
-def _without(book: NotificationState, key: str) -> NotificationState:
-    left = {name: alarm for name, alarm in book.open.items() if name != key}
-    return msgspec.structs.replace(book, open=left)
+def _without(state: NotificationState, key: str) -> NotificationState:
+    left = {name: alarm for name, alarm in state.open.items() if name != key}
+    return msgspec.structs.replace(state, open=left)
 
 
-def _summary_due(way: NotifySection, book: NotificationState, local: datetime.datetime) -> bool:
-    if book.summary_on >= local.date().isoformat():
+def _summary_due(way: NotifySection, state: NotificationState, local: datetime.datetime) -> bool:
+    if state.summary_on >= local.date().isoformat():
         return False
     hour, minute = (int(part) for part in way.daily_at.split(":"))
     due = local.replace(hour=hour, minute=minute, second=0, microsecond=0)

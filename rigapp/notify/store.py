@@ -1,6 +1,6 @@
-"""The notifier's state on the disk: what was told and what waits, whole or not at all, for us only.
+"""The notifier's state on the disk: reported conditions and waiting messages, private to the user.
 
-One notifier at a time looks after the state of a rig: it holds the lock beside the file.
+One notifier at a time owns the state of a rig: it holds the lock beside the file.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import msgspec
+from msgspec.structs import replace
 
 from rigapp.config.notify import NotifySection
 from rigapp.config.writing import whole_file
@@ -21,33 +22,33 @@ from rigapp.schema.wire import decode, encode
 
 
 class WayState(msgspec.Struct, frozen=True):
-    """What one way was told, and what waits for it."""
+    """The state of one channel, and its waiting messages."""
 
-    book: NotificationState = NotificationState()
+    conditions: NotificationState = msgspec.field(default=NotificationState(), name="book")
     outbox: Outbox = Outbox()
 
 
 class NotifierState(msgspec.Struct, frozen=True):
-    """The state of all ways, by ``identity``; up to which fact of which run it has come."""
+    """The state of all channels, by ``identity``; the last processed fact and its run."""
 
     ways: Mapping[str, WayState] = {}
     run: str = ""
-    heard: int = 0
+    processed: int = msgspec.field(default=0, name="heard")
 
 
 def state_file(folder: Path, rig: str) -> Path:
-    """Return where the state of a rig is kept; rig: the path of its file."""
+    """Return the file of a rig's state; rig: the path of its file."""
     return folder / f"{hashlib.sha256(rig.encode()).hexdigest()[:16]}.messages"
 
 
 def identity(way: NotifySection) -> str:
-    """Return what a way's state goes by: where it leads. What waits never goes elsewhere."""
+    """Return the key of a channel's state: its address, so that messages never go elsewhere."""
     where = "\0".join((way.name, way.url, *way.command))
     return hashlib.sha256(where.encode()).hexdigest()[:16]
 
 
 def read_state(file: Path) -> NotifierState:
-    """Return the state in a file, a fresh one without it; one that is unreadable is set aside."""
+    """Return the state in a file, a new one without it; an unreadable one is set aside."""
     try:
         return decode(file.read_bytes(), NotifierState)
     except FileNotFoundError:
@@ -59,22 +60,22 @@ def read_state(file: Path) -> NotifierState:
 
 
 def write_state(file: Path, state: NotifierState) -> None:
-    """Put a state in the place of the former one, mode 0600; raise UnusableInput."""
+    """Replace the stored state, mode 0600; raise UnusableInput."""
     with whole_file(file, mode=0o600) as part:
         part.write_bytes(encode(state))
 
 
 def settled(state: NotifierState) -> NotifierState:
-    """Return what of a state is worth keeping: the last status of a rig is not."""
+    """Return a state without the last status, which is not worth keeping."""
     ways = {
-        name: msgspec.structs.replace(way, book=msgspec.structs.replace(way.book, status=None))
+        name: replace(way, conditions=replace(way.conditions, status=None))
         for name, way in state.ways.items()
     }
-    return msgspec.structs.replace(state, ways=ways)
+    return replace(state, ways=ways)
 
 
 @contextmanager
 def owned(file: Path) -> Iterator[bool]:
-    """Hold the lock of a state while this lasts; False where another notifier has it."""
+    """Hold the lock of a state inside it; yields False where another notifier has it."""
     with file.with_suffix(".lock").open("ab") as stream:
         yield taken(stream.fileno())

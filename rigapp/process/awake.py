@@ -1,7 +1,7 @@
-"""Keep the computer awake: systemd's logind puts nothing to sleep while a holder lives.
+"""Keep the computer awake: systemd's logind does not suspend it while a holder runs.
 
 The holder is a process that reads its standard input, so that it ends with this program however
-that ends. Where there is no systemd-inhibit, nothing is held, and the caller can say so.
+that ends. Without systemd-inhibit nothing is held, and the caller can report it.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from rigapp.texts import say
 
 HOLDER: Final = "systemd-inhibit"
 _KINDS: Final = ("sleep:idle:handle-lid-switch", "sleep:idle", "sleep")
-"""What is kept from happening, the most first: logind lets not every user hold the lid."""
-_HELD_S: Final = 5.0  # logind answers within some ms; a bus that hangs is not waited for
+"""Locks to try, the strongest first: logind does not let every user hold the lid."""
+_HELD_S: Final = 5.0  # logind answers within some ms; a hanging bus is not waited for
 _ECHO: Final = b"held\n"
 
 
@@ -32,12 +32,12 @@ class StayAwake:
         self._holder: subprocess.Popen[bytes] | None = None
 
     def begin(self) -> None:
-        """Hold it from now on, without waiting for that; quietly nothing where it cannot be."""
+        """Hold it from now on, without waiting; silently nothing where it is not possible."""
         self._wanted = True
         Background(self.hold, say("stay awake"))
 
     def hold(self) -> str:
-        """Hold it, and return what is kept from happening, empty for nothing."""
+        """Hold it, and return the lock that is held, empty for none."""
         with self._changing:
             if self._holder is not None or shutil.which(HOLDER) is None:
                 return ""
@@ -53,7 +53,7 @@ class StayAwake:
         return kinds
 
     def end(self) -> None:
-        """Let it sleep again."""
+        """Release the lock."""
         self._wanted = False
         with self._changing:
             holder, self._holder = self._holder, None
@@ -62,7 +62,7 @@ class StayAwake:
 
 
 def kept_awake() -> str:
-    """Return what can be kept from happening here, tried out; empty for nothing."""
+    """Return the lock that can be held here, by a trial; empty for none."""
     trial = StayAwake()
     try:
         return trial.hold()

@@ -34,7 +34,7 @@ LONGEST_MESSAGE = 64 * 2**20
 damaged length in a frame must not make the program reserve gigabytes."""
 SEND_MS = 1000
 LAST_WORDS = 4096
-"""Bytes of standard error in which the reason of a failure is looked for."""
+"""Bytes of standard error that are searched for the reason of a failure."""
 LONGEST_PAUSE_S = 60.0
 _HEAD = 4
 _READ_SIZE = 65536
@@ -66,8 +66,8 @@ class Child:
     ) -> None:
         """Start the module.
 
-        In a session of its own: Ctrl-C at the terminal is for whoever started it, who decides what
-        becomes of it. pipes: with ``stdin`` and ``stdout`` for the program. log: file that takes
+        In a session of its own: Ctrl-C at the terminal is for the parent, which decides about the
+        child. pipes: with ``stdin`` and ``stdout`` for the program. log: file that takes
         standard output and error. environment, folder (to work in): in place of the program's own.
         """
         self._log: IO[bytes] = (
@@ -96,7 +96,7 @@ class Child:
 
     @property
     def running(self) -> bool:
-        """Tell whether the process runs."""
+        """Return whether the process runs."""
         return self.status is None
 
     @property
@@ -116,12 +116,12 @@ class Child:
         return self._process.wait(timeout)
 
     def leave(self) -> None:
-        """Leave the process to itself; a thread takes its exit status, or it would be a zombie."""
+        """Detach the process; a thread takes its exit status, or it would be a zombie."""
         self._log.close()
         Background(self._process.wait, f"end of process {self.pid}")
 
     def messages(self) -> str:
-        """Return the end of what a process that has ended wrote on standard error."""
+        """Return the end of the standard error of an ended process."""
         size = self._log.seek(0, os.SEEK_END)
         self._log.seek(max(0, size - LAST_WORDS))
         return self._log.read().decode(errors="replace").strip()
@@ -188,7 +188,7 @@ class MessageChild(Child):
             raise
 
     def send(self, record: object) -> bool:
-        """Send a record; False where the child is not there yet, or has not read what came."""
+        """Send a record; False where the child is not connected yet, or has a full queue."""
         if not self._socket.poll(0, zmq.POLLOUT):
             return False
         self._socket.send(encode(record), zmq.NOBLOCK)
@@ -198,7 +198,7 @@ class MessageChild(Child):
         """Return the next record; None when none comes in time, or the child has died."""
         deadline = time.monotonic() + timeout_s
         while True:
-            # Looked at before the socket: what the child sent last arrives before its end.
+            # Checked before the socket: the child's last message arrives before its end.
             running = self.running
             if self._socket.poll(int(1000 * min(timeout_s, _POLL_S))):
                 return decode(self._socket.recv(), kind)
@@ -211,7 +211,7 @@ class MessageChild(Child):
         super().close(grace_s)
 
     def leave(self) -> None:
-        """Close the socket and leave the process to itself."""
+        """Close the socket and detach the process."""
         self._close_socket()
         super().leave()
 
@@ -233,7 +233,7 @@ class Parent:
 
     @property
     def alive(self) -> bool:
-        """Tell whether the program still runs: else the system has given the process another."""
+        """Return whether the program still runs: else this process has another parent."""
         return os.getppid() == self.pid
 
     def receive(self, kind: type[Record], timeout_s: float = 0.0) -> Record | None:
@@ -250,19 +250,19 @@ class Parent:
         return record
 
     def send(self, record: object) -> None:
-        """Send a record; a program that has just gone is no error."""
+        """Send a record; a program that has just ended is no error."""
         with suppress(zmq.ZMQError):
             self._socket.send(encode(record))
 
     def close(self, linger_s: float = 0.0) -> None:
-        """Close the socket, after ``linger_s`` for what is not delivered yet."""
+        """Close the socket, after ``linger_s`` for undelivered records."""
         self._context.destroy(linger=int(1000 * linger_s))
 
 
 class Restarts:
-    """Count the children that achieved nothing, and tell how long to wait for the next one.
+    """Count the children that achieved nothing, and compute the pause before the next one.
 
-    The pause doubles with each of them: a child that dies at once must not keep a processor busy.
+    The pause doubles with each of them: a child that fails at once must not keep a processor busy.
     """
 
     def __init__(self, pause_s: float, attempts: int) -> None:
@@ -274,17 +274,17 @@ class Restarts:
         self._failed += 1
 
     def succeeded(self) -> None:
-        """Forget the failures."""
+        """Reset the count."""
         self._failed = 0
 
     @property
     def exhausted(self) -> bool:
-        """Tell whether no other child should be started."""
+        """Return whether no other child should be started."""
         return self._failed >= self._attempts
 
     @property
     def pause_s(self) -> float:
-        """Return how long to wait before the next start."""
+        """Return the pause before the next start."""
         return min(LONGEST_PAUSE_S, self._pause_s * 2.0**self._failed)
 
 

@@ -1,4 +1,4 @@
-"""How a program comes to its end: signals that ask for it, work that may hang on the way."""
+"""The end of a program: termination signals, and last work that may hang."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ Result = TypeVar("Result")
 
 @contextmanager
 def termination_signals() -> Iterator[list[str]]:
-    """Collect the names of the signals that ask for an end: Ctrl-C, kill, a closed terminal.
+    """Collect the names of the termination signals: Ctrl-C, kill, a closed terminal.
 
     Must be entered in the main thread. A hang-up that is ignored (nohup) stays so. Raises
-    KeyboardInterrupt when one came before (``ending_as_interrupt``) and got lost on its way.
+    KeyboardInterrupt when one came before (``ending_as_interrupt``) and was lost.
     """
     _end_if_heard(signal.getsignal(signal.SIGINT))
     names: list[str] = []
@@ -39,26 +39,25 @@ def termination_signals() -> Iterator[list[str]]:
 
 
 class Interrupting:
-    """Raise KeyboardInterrupt at a signal, and remember it: what is being loaded may swallow it.
+    """Raise KeyboardInterrupt at a signal, and remember it: an import may swallow it.
 
-    An extension module that looks for an optional part clears whatever came up meanwhile.
+    An extension module that tries an optional import clears any pending exception.
     """
 
     def __init__(self) -> None:
-        self.heard = False
+        self.signalled = False
 
     def __call__(self, number: int, frame: FrameType | None) -> NoReturn:
         """Handle a signal."""
-        self.heard = True
+        self.signalled = True
         raise KeyboardInterrupt
 
 
 @contextmanager
 def ending_as_interrupt() -> Iterator[None]:
-    """Let Ctrl-C, kill and a closed terminal raise KeyboardInterrupt, so that all is closed.
+    """Make Ctrl-C, kill and a closed terminal raise KeyboardInterrupt, so that all is closed.
 
-    Where it is lost on its way it is raised at the end. Elsewhere than in the main thread it does
-    nothing.
+    Where it is lost it is raised at the end. Outside of the main thread it does nothing.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -74,12 +73,12 @@ def ending_as_interrupt() -> Iterator[None]:
 
 
 def _end_if_heard(handler: object) -> None:
-    if isinstance(handler, Interrupting) and handler.heard:
+    if isinstance(handler, Interrupting) and handler.signalled:
         raise KeyboardInterrupt
 
 
 class Background(Generic[Result]):
-    """Do something that may hang in a thread that keeps no process from ending."""
+    """Run work that may hang in a daemon thread."""
 
     def __init__(self, work: Callable[[], Result], name: str) -> None:
         """Begin at once."""
@@ -91,7 +90,7 @@ class Background(Generic[Result]):
 
     @property
     def done(self) -> bool:
-        """Tell whether it has ended, in whatever way."""
+        """Return whether it has ended, with or without an error."""
         return self._ended.is_set()
 
     def wait(self, timeout_s: float) -> bool:
@@ -99,7 +98,7 @@ class Background(Generic[Result]):
         return self._ended.wait(timeout_s)
 
     def result(self) -> Result:
-        """Return what came out of work that is done, or raise what it raised."""
+        """Return the result of ended work, or raise its error."""
         if self.error is not None:
             raise self.error
         return self._results[0]
@@ -120,10 +119,10 @@ def shutdown_with_timeout(
     give_up: Callable[[], None],
     limit_s: float,
 ) -> None:
-    """Do the last work of a program; when it hangs, or is asked again, end the process.
+    """Do the last work of a program; when it hangs, or a further signal comes, end the process.
 
     signals: as ``termination_signals`` collects them. While ``turning`` it takes two more, so that
-    nobody leaves a spindle alone by impatience. give_up: done before the process is ended.
+    impatience does not abandon a turning spindle. give_up: called before the process is ended.
     """
     heard, deadline = len(signals), time.monotonic() + limit_s
     closing = Background(work, "closing")

@@ -1,4 +1,4 @@
-"""A lock on a file that one process holds, and the system gives back when that process dies."""
+"""A lock on a file that one process holds, and the system releases when that process dies."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import sys
 def taken(descriptor: int) -> bool:
     """Take the lock of an open file without waiting; False where another one has it.
 
-    Where the system has no such locks nobody is kept away, and it is taken.
+    Where the system has no such locks it always counts as taken.
     """
     if sys.platform == "win32":
         return True

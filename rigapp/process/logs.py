@@ -1,7 +1,7 @@
-"""Where the program's remarks go: one place for their level, the terminal and files.
+"""The program's log: its level, the terminal and files.
 
-Modules write to ``logging.getLogger(__name__)`` and know nothing else. Whoever writes never waits:
-a slow disk or a terminal that stands still costs remarks, not samples.
+Modules write to ``logging.getLogger(__name__)`` alone. Writers never wait: a slow disk or a stalled
+terminal costs log lines, not samples.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ LEVEL_VARIABLE = "RIGAPP_LOG_LEVEL"
 """Environment variable that hands the level on to the processes of this one."""
 
 OWN = ("rigapp", "rigapp_drivers", "rigapp_model", "rigapp_calibration")
-MOST_WAITING = 1000  # lines; more come only from something that has gone wrong
+MOST_WAITING = 1000  # lines; more come only from a malfunction
 LARGEST_FILE = 1_000_000
 """Bytes of a log file; the one before is kept beside it."""
 LAST_WORDS_S = 2.0
-"""How long the end waits for what is not written yet."""
+"""Time that the end waits for unwritten lines."""
 
 _FORMAT = "%(asctime)s %(levelname)-7s %(name)s: %(message)s"
 
 
 class BoundedQueueHandler(logging.Handler):
-    """Hand records to a handler in a thread of its own; what it cannot take in time is lost."""
+    """Hand records to a handler in a thread of its own; a full queue drops new records."""
 
     def __init__(self, target: logging.Handler, name: str) -> None:
         super().__init__(target.level)
@@ -47,19 +47,19 @@ class BoundedQueueHandler(logging.Handler):
         self._thread.start()
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Take a record with its words as they are now; never waits, never raises.
+        """Queue a record with its text formatted now; never waits, never raises.
 
-        Of other packages only warnings are of interest.
+        Of other packages only warnings are kept.
         """
         if record.levelno < logging.WARNING and record.name.partition(".")[0] not in OWN:
             return
         with suppress(Exception):
-            said = logging.makeLogRecord({**record.__dict__, "msg": record.getMessage()})
-            said.args = None
-            self._waiting.put_nowait(said)
+            message = logging.makeLogRecord({**record.__dict__, "msg": record.getMessage()})
+            message.args = None
+            self._waiting.put_nowait(message)
 
     def close(self) -> None:
-        """Write what waits, for as long as ``LAST_WORDS_S``."""
+        """Write the queue, for ``LAST_WORDS_S`` at most."""
         with suppress(queue.Full):
             self._waiting.put(None, timeout=LAST_WORDS_S)
         self._thread.join(LAST_WORDS_S)
@@ -69,7 +69,7 @@ class BoundedQueueHandler(logging.Handler):
         while (record := self._waiting.get()) is not None:
             with suppress(Exception):
                 self._target.handle(record)
-        # A disk that is gone refuses the last lines once more here.
+        # A lost disk refuses the last lines once more here.
         with suppress(Exception):
             self._target.close()
 
@@ -82,7 +82,7 @@ class _Terminal(logging.StreamHandler):  # type: ignore[type-arg]
         super().emit(record)
 
     def handleError(self, record: logging.LogRecord) -> None:
-        """Say nothing: a terminal that is gone cannot be told."""
+        """Do nothing: the terminal is gone."""
 
 
 class _File(logging.handlers.RotatingFileHandler):
@@ -92,7 +92,7 @@ class _File(logging.handlers.RotatingFileHandler):
         super().__init__(path, maxBytes=LARGEST_FILE, backupCount=1, encoding="utf-8", delay=True)
 
     def _open(self) -> TextIOWrapper:
-        """Open the file, never through a link or a pipe that somebody laid there."""
+        """Open the file, never through a link or a pipe of another user."""
         flags = os.O_WRONLY | os.O_CREAT | os.O_APPEND
         for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC"):
             flags |= getattr(os, name, 0)
@@ -103,7 +103,7 @@ class _File(logging.handlers.RotatingFileHandler):
         return TextIOWrapper(open(fd, "ab"), encoding="utf-8")
 
     def handleError(self, record: logging.LogRecord) -> None:
-        """Say nothing: a log that cannot be written ends no test."""
+        """Do nothing: a log that cannot be written ends no test."""
 
 
 def chosen_level(option: str | None) -> str:
@@ -121,7 +121,7 @@ def chosen_level(option: str | None) -> str:
 
 @contextmanager
 def on_terminal(level: str) -> Iterator[None]:
-    """Show remarks from a level on on standard error while this lasts; hand the level on."""
+    """Log from a level on to standard error inside it; children inherit the level."""
     os.environ[LEVEL_VARIABLE] = level
     terminal = _Terminal()
     terminal.setLevel(level.upper())
@@ -132,7 +132,7 @@ def on_terminal(level: str) -> Iterator[None]:
 
 @contextmanager
 def in_file(path: Path) -> Iterator[None]:
-    """Keep remarks from "info" on, or from the chosen level if that is lower, in a file."""
+    """Log from "info" on, or from the chosen level if that is lower, to a file inside it."""
     file = _File(path)
     file.setLevel(min(logging.INFO, getattr(logging, chosen_level(None).upper())))
     file.setFormatter(logging.Formatter(_FORMAT))
@@ -147,7 +147,7 @@ def log_beside(result: Path) -> Path:
 
 @contextmanager
 def _attached(target: logging.Handler, name: str) -> Iterator[None]:
-    """Let the root logger feed a handler while this lasts."""
+    """Attach a handler to the root logger inside it."""
     outlet = BoundedQueueHandler(target, name)
     logging.getLogger().addHandler(outlet)
     _listen()
@@ -160,7 +160,7 @@ def _attached(target: logging.Handler, name: str) -> Iterator[None]:
 
 
 def _listen() -> None:
-    """Let the root logger pass on what the most curious of its outlets takes."""
+    """Set the root logger's level to the lowest of its handlers."""
     root = logging.getLogger()
     levels = [
         handler.level for handler in root.handlers if isinstance(handler, BoundedQueueHandler)

@@ -1,6 +1,6 @@
-"""Collect garbage without a stop that is felt: what a start has made is never searched again.
+"""Freeze start-up objects so that garbage collection pauses stay short.
 
-And give memory back that is free.
+Also return freed memory to the system.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from contextlib import suppress
 
 
 def begin_to_load() -> None:
-    """Search for no garbage while modules are loaded and a window is made: they leave hardly any.
+    """Disable garbage collection while modules are loaded and a window is made.
 
     ``end_of_loading`` ends it.
     """
@@ -19,9 +19,9 @@ def begin_to_load() -> None:
 
 
 def end_of_loading() -> None:
-    """Search for garbage from now on, but only among what is made after this moment.
+    """Enable garbage collection, and freeze all objects made so far.
 
-    A search of all that the libraries have made stops a process for some 40 ms, again and again.
+    A collection over the objects of all libraries stops a process for some 40 ms, again and again.
     """
     gc.freeze()
     gc.enable()

@@ -1,4 +1,4 @@
-"""Let a process give way to others that want the processor."""
+"""Lower the priority of a process."""
 
 from __future__ import annotations
 

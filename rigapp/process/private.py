@@ -1,4 +1,4 @@
-"""Folders and files that belong to one user alone: made so, and required to be so."""
+"""Folders and files with access for one user alone: made so, and checked."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ SMALL_BYTES = 1 << 16
 
 
 def owned_by_user(status: os.stat_result) -> bool:
-    """Tell whether a file or folder belongs to this user; yes where there are no owners."""
+    """Return whether a file or folder belongs to this user; True where there are no owners."""
     return not hasattr(os, "getuid") or status.st_uid == os.getuid()
 
 
 def open_to_others(status: os.stat_result) -> bool:
-    """Tell whether another user may read or write something; no where modes do not say so."""
+    """Return whether another user may read or write a file; False where there are no modes."""
     return hasattr(os, "getuid") and bool(status.st_mode & 0o077)
 
 
@@ -25,8 +25,8 @@ def private_folder(folder: Path, instead: str = "") -> Path:
     """Return a folder of mode 0700 that is ours and no link, made if missing.
 
     One of ours that others can only read is closed to them. One into which others can write is
-    refused, as what lies in it may be theirs. instead: what else to do, for the sentence.
-    Raises UnusableInput.
+    refused, as its content may be theirs. instead: another remedy, for the sentence. Raises
+    UnusableInput.
     """
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)

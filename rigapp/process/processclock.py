@@ -1,7 +1,7 @@
-"""The time for which this computer let a process run: the wall clock less its lateness.
+"""The time that a process could run: the wall clock less its lateness.
 
-On a computer that is overloaded, or stands still for a second, host and simulated devices are late
-together; that is no reason for a watchdog to fire, nor for a device to count as silent.
+On an overloaded or stalled computer, host and simulated devices are late together; that must not
+trip a watchdog, nor make a device count as silent.
 """
 
 from __future__ import annotations
@@ -13,17 +13,17 @@ LONGEST_PASS_S = 0.05
 """No pass and no wait of a loop is longer unless the computer makes it so."""
 DEVICE_SHARE = 0.5
 """Least part of the wall clock's time that passes for a simulated device. A watchdog that is due
-fires within twice its time, however busy the computer is: ``--speed max`` keeps it busy for good,
-and what must be left alone until then (``StopSequence.quiet``) is left alone for so long."""
+fires within twice its time, however busy the computer is: ``--speed max`` keeps it always busy,
+and a drive that needs silence until then (``StopSequence.quiet``) gets it for so long."""
 LATENESS_S = 0.001
-"""How late a process may be woken on a computer that has nothing else to do."""
+"""Lateness of a wake-up on an idle computer."""
 
 
 class ProcessClock:
-    """Tell a loop's own time: what it ran or chose to wait since the last ``tick``.
+    """A loop's own time: the time that it ran or chose to wait since the last ``tick``.
 
-    The time for which it stood in line for a processor, or the whole computer stood still, is left
-    out, but for ``LATENESS_S`` a tick. Where nothing else runs it is the wall clock. least_share:
+    The time for which it waited for a processor, or the whole computer stalled, is left out, but
+    for ``LATENESS_S`` a tick. Where nothing else runs it is the wall clock. least_share:
     part of the wall clock's time that passes in any case, unless a single pass is too long.
     """
 
@@ -35,7 +35,7 @@ class ProcessClock:
         self._ran_s = ran_s
 
     def tick(self, now_s: float, ran_s: float, waited_s: float) -> float:
-        """Return the own time; waited_s: wait that was asked for since the last call."""
+        """Return the own time; waited_s: wait that was requested since the last call."""
         passed = max(0.0, now_s - self._wall_s)
         own = max(0.0, ran_s - self._ran_s) + waited_s + LATENESS_S
         own = max(own, self._least_share * passed)
@@ -44,13 +44,13 @@ class ProcessClock:
         return self.time_s
 
 
-TICKS_KEPT = 4096  # passes of the loop: minutes; older ones explain no lateness of now
+TICKS_KEPT = 4096  # passes of the loop: minutes; older ones do not explain present lateness
 
 
 class Lateness:
-    """Add up the lateness of one thread's loop, as a sample of what the whole computer does.
+    """Add up the lateness of one thread's loop, as a sample of the whole computer.
 
-    Any thread may ask; ``tick`` belongs to the loop.
+    Any thread may read it; ``tick`` belongs to the loop.
     """
 
     def __init__(self, now_s: float, ran_s: float) -> None:
@@ -61,7 +61,7 @@ class Lateness:
         self._lock = threading.Lock()
 
     def tick(self, now_s: float, ran_s: float, waited_s: float) -> None:
-        """Take a pass of the loop; waited_s: wait that it asked for since the last one."""
+        """Take a pass of the loop; waited_s: wait that it requested since the last one."""
         own_s = self._own.tick(now_s, ran_s, waited_s)
         with self._lock:
             self._ticks.append((now_s, now_s - own_s))

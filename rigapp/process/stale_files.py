@@ -15,7 +15,7 @@ from rigapp.texts import joined
 
 
 def process_alive(pid: int) -> bool:
-    """Tell whether a process exists (a zombie counts as dead)."""
+    """Return whether a process exists (a zombie counts as dead)."""
     try:
         return bool(psutil.Process(pid).status() != psutil.STATUS_ZOMBIE)
     except psutil.NoSuchProcess:
@@ -25,9 +25,9 @@ def process_alive(pid: int) -> bool:
 
 
 def pid_exists(pid: int) -> bool:
-    """Tell whether the process that put its id into a name may still live.
+    """Return whether the process whose id is in a name may still run.
 
-    One that is no Python program has only got the same id later.
+    One that is no Python program got the same id later.
     """
     if not process_alive(pid):
         return False
@@ -39,7 +39,7 @@ def pid_exists(pid: int) -> bool:
 
 
 def find_stale(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
-    """Return what lies in a folder, is ours, and whose owner is dead, with the match of its name.
+    """Return our files in a folder whose process is dead, with the match of the name.
 
     pattern: of the whole name, with a group ``pid``.
     """
@@ -53,7 +53,7 @@ def find_stale(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
 
 
 def remove_left_behind(folder: Path, pattern: str) -> list[Path]:
-    """Remove what ``find_stale`` finds, folders with what is in them; return what it was."""
+    """Remove what ``find_stale`` finds, folders with their content; return the paths."""
     removed = [path for path, _ in find_stale(folder, pattern)]
     for path in removed:
         if path.is_dir() and not path.is_symlink():

@@ -1,4 +1,4 @@
-"""Threads with a name, a heartbeat and a death that cannot pass unseen; commands in their turn."""
+"""Threads with a name, a heartbeat and a reported failure; commands one after the other."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from collections.abc import Callable
 from rigapp.schema.states import Refused
 
 OVERSLEPT_S = 1.0
-"""When a pause takes so much longer than asked for, the whole process did not run."""
+"""When a pause takes so much longer than requested, the whole process did not run."""
 
 
 class Worker:
     """Run a step again and again in a thread of its own.
 
     step: does a piece of work and returns within a fraction of a second; returning False ends the
-    thread as intended. on_death: told once, in the dying thread, when step raised. age_s: tells how
-    long ago a host time was, as a silence is judged.
+    thread as intended. on_death: called once, in the failing thread, when step raised. age_s:
+    returns the age of a host time, to judge a silence by.
     """
 
     def __init__(
@@ -46,16 +46,16 @@ class Worker:
         self._thread.start()
 
     def halt(self) -> None:
-        """Ask the thread to end after its present step."""
+        """Request the thread to end after its present step."""
         self._halt.set()
 
     @property
     def halting(self) -> bool:
-        """Tell whether the thread was asked to end."""
+        """Return whether the end was requested."""
         return self._halt.is_set()
 
     def pause(self, seconds: float) -> None:
-        """Wait inside a step, but no longer than until the thread is asked to end."""
+        """Wait inside a step, but no longer than until the end is requested."""
         before_s = time.monotonic()
         self._halt.wait(seconds)
         woken_s = time.monotonic()
@@ -76,16 +76,16 @@ class Worker:
         return not self._thread.is_alive()
 
     def beat(self) -> None:
-        """Give a sign of life from within a long step."""
+        """Give a heartbeat from within a long step."""
         self._beat = time.monotonic()
 
     def silent_for(self) -> float:
-        """Return the seconds since the last sign of life."""
+        """Return the seconds since the last heartbeat."""
         return self._age_s(self._beat)
 
     @property
     def well(self) -> bool:
-        """Tell whether the thread lives and beats, or ended as intended."""
+        """Return whether the thread runs with a heartbeat, or ended as intended."""
         if self.ended and self.error is None:
             return True
         return self._thread.is_alive() and self.silent_for() < self.silence_s
@@ -104,7 +104,7 @@ class Worker:
 
 
 class CommandLock:
-    """Let one command after the other in, none for longer than it can be waited for."""
+    """A lock for one command at a time, with a time-out."""
 
     def __init__(self, wait_s: float) -> None:
         self._wait_s = wait_s
@@ -112,7 +112,7 @@ class CommandLock:
         self._since = 0.0
 
     def __enter__(self) -> None:
-        """Wait for the command before; raise Refused when it takes too long."""
+        """Wait for the earlier command; raise Refused when it takes too long."""
         if not self._lock.acquire(timeout=self._wait_s):
             since = time.monotonic() - self._since
             raise Refused(

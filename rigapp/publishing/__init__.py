@@ -1,5 +1,5 @@
-"""Recorded tests as they are published: what goes in, what is private, how it is described.
+"""Publish recorded tests: content of the package, private data in it, description.
 
-One ZIP file with the tests as they are and everything that others need to read, trust and cite
+One ZIP file with the unchanged tests and everything that others need to read, trust and cite
 them. Others enter by ``package``, ``private``.
 """

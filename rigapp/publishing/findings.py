@@ -1,6 +1,6 @@
-"""Find what is private in the texts of a test, and where.
+"""Find private data in the texts of a test, and where.
 
-What is found is suspected, not proven; a person decides.
+A finding is a suspicion, not a proof; a person decides.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from rigapp.publishing.publication import Author
 
 RIG, TEST = "/entry/configuration/rig", "/entry/configuration/test"
 SETTINGS = {RIG: "rig file", TEST: "test file"}
-"""TOML texts of a test file, and what people call them."""
+"""TOML texts of a test file, and their names."""
 
 _TABLE = re.compile(r"\s*\[{1,2}\s*([A-Za-z_][\w.\" -]*?)\s*\]{1,2}\s*(?:#.*)?")
 _KEY = re.compile(r"\s*([A-Za-z_\"][\w.\" -]*?)\s*=")
@@ -40,16 +40,16 @@ _KEY = re.compile(r"\s*([A-Za-z_\"][\w.\" -]*?)\s*=")
 
 @dataclass(frozen=True, slots=True)
 class Passage:
-    """A piece of text. place: where it stands, for people; path, key: for programs."""
+    """A piece of text. where: its location, for people; path, key: for programs."""
 
-    place: str
+    where: str
     path: str
     key: str
     text: str
 
 
 def passages(test: PackagedTest) -> Iterator[Passage]:
-    """Yield everything that a test file says, its name included."""
+    """Yield all texts of a test file, its name included."""
     yield Passage("its name", "", "", test.path.name)
     for path, text in test.texts:
         yield from _pieces(path, text)
@@ -113,9 +113,9 @@ PUBLIC = frozenset({"http", "https", "doi", "urn"})
 
 
 def found_in(passage: Passage, computers: frozenset[str], people: frozenset[str]) -> Iterator[str]:
-    """Yield what is private in a passage, each as the object of a sentence.
+    """Yield the private data in a passage, each as the object of a sentence.
 
-    computers: names of the computers that are known. people: names of those who are no authors.
+    computers: names of the known computers. people: names of those who are no authors.
     """
     text = passage.text
     for kind in (_addresses, _folders, _networks, _messages):
@@ -174,7 +174,7 @@ def _private_host(url: str) -> str:
 
 
 def _word(name: str, text: str, flags: int = 0) -> bool:
-    """Tell whether a name stands in a text; by its letters' case too: Max is not the word max."""
+    """Return whether a name is in a text, by case too: Max is not the word max."""
     return re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text, flags) is not None
 
 
@@ -186,7 +186,7 @@ MOST_PLACES = 6
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Something private. what: as the object of a sentence. places: where it stands in the file."""
+    """Private data. what: as the object of a sentence. places: where it is in the file."""
 
     file: str
     what: str
@@ -205,9 +205,9 @@ class Finding:
 def findings(
     tests: Iterable[PackagedTest], authors: Iterable[Author], computers: frozenset[str]
 ) -> list[Finding]:
-    """Return what is private in tests, in the order in which it stands there.
+    """Return the private data in tests, in their order.
 
-    computers: names of computers to look for, beside what looks like one.
+    computers: names of computers to search for, beside texts that look like one.
     """
     named = frozenset(spelling for author in authors for spelling in author.spellings)
     result: list[Finding] = []
@@ -216,7 +216,7 @@ def findings(
         by_what: dict[str, dict[str, None]] = {}
         for passage in passages(test):
             for what in found_in(passage, computers, people):
-                by_what.setdefault(what, {})[passage.place] = None
+                by_what.setdefault(what, {})[passage.where] = None
         result += [Finding(test.path.name, what, tuple(at)) for what, at in by_what.items()]
     return result
 
@@ -237,15 +237,15 @@ def people_of(test: PackagedTest) -> frozenset[str]:
 
 def _operator_of(text: str) -> Iterator[str]:
     try:
-        given = tomllib.loads(text).get("metadata", {})
+        metadata = tomllib.loads(text).get("metadata", {})
     except tomllib.TOMLDecodeError:
         return
-    if isinstance(given, dict):
-        yield str(given.get("operator", ""))
+    if isinstance(metadata, dict):
+        yield str(metadata.get("operator", ""))
 
 
 def _people_of_record(values: Any) -> Iterator[str]:
-    """Yield who made and reviewed a calibration, where a value is its sealed record."""
+    """Yield operator and reviewer of a calibration, where a value is its sealed record."""
     try:
         record = json.loads(values["record"])
     except (TypeError, KeyError, ValueError):

@@ -43,7 +43,7 @@ from rigapp.publishing.publication import (
 from rigapp.storage import hidden_name, move_into_place
 
 PROFILE = "1.1"
-"""The version that repositories read today; the library's own default moves on."""
+"""The version that repositories read today; the library's own default changes."""
 PROGRAM = "#rigapp"
 
 
@@ -54,23 +54,23 @@ def crate_library() -> Any:
     return rocrate
 
 
-def crate(given: Publication, files: Sequence[PackedFile]) -> str:
+def crate(data: Publication, files: Sequence[PackedFile]) -> str:
     """Return ``ro-crate-metadata.json``; files: the files that it describes."""
     library = crate_library()
     result = library.ROCrate(version=PROFILE)
     root = result.root_dataset
-    root["name"] = given.title
-    root["description"] = given.summary
-    root["datePublished"] = given.day
+    root["name"] = data.title
+    root["description"] = data.summary
+    root["datePublished"] = data.day
     root["version"] = VERSION
     root["keywords"] = ", ".join(KEYWORDS)
-    root["identifier"] = [f"urn:uuid:{test.about['identifier']}" for test in given.tests]
-    licence = given.licence
+    root["identifier"] = [f"urn:uuid:{test.about['identifier']}" for test in data.tests]
+    licence = data.licence
     about = {"@type": "CreativeWork", "name": licence.name, "identifier": licence.identifier}
     root["license"] = result.add(library.ContextEntity(result, licence.url, properties=about))
-    root["author"] = [result.add(_author(library, result, author)) for author in given.authors]
-    described = {file.place: _file(result, file) for file in files}
-    for test in given.tests:
+    root["author"] = [result.add(_author(library, result, author)) for author in data.authors]
+    described = {file.path: _file(result, file) for file in files}
+    for test in data.tests:
         _made_by(library, result, test, described)
     return json.dumps(result.metadata.generate(), indent=1, ensure_ascii=False) + "\n"
 
@@ -84,13 +84,13 @@ def _author(library: Any, container: Any, author: Author) -> Any:
 
 
 def _file(container: Any, file: PackedFile) -> Any:
-    about = {"name": file.place.rpartition("/")[2], "description": file.about}
+    about = {"name": file.path.rpartition("/")[2], "description": file.about}
     size = {"contentSize": str(file.size), "encodingFormat": file.media}
-    return container.add_file(dest_path=file.place, properties={**about, **size})
+    return container.add_file(dest_path=file.path, properties={**about, **size})
 
 
 def _made_by(library: Any, container: Any, test: PackagedTest, described: dict[str, Any]) -> None:
-    """Say by which version of the program a test was recorded, and when."""
+    """Describe by which version of the program a test was recorded, and when."""
     version = str(test.configuration.get("versions", {}).get("rigapp", "unknown"))
     program = container.get(f"{PROGRAM}-{version}") or container.add(
         library.ContextEntity(
@@ -110,23 +110,23 @@ def _made_by(library: Any, container: Any, test: PackagedTest, described: dict[s
     container.root_dataset.append_to("mentions", action)
 
 
-def citation(given: Publication) -> Iterator[str]:
-    """Yield the lines; every text in them is quoted as JSON quotes it, which YAML reads alike."""
+def citation(data: Publication) -> Iterator[str]:
+    """Yield the lines; every text in them is quoted as in JSON, which YAML reads alike."""
     yield "cff-version: 1.2.0"
     yield 'message: "If you use these data, please cite them as below."'
     yield "type: dataset"
-    yield f"title: {_quoted(given.title)}"
-    yield f"abstract: {_quoted(given.summary)}"
+    yield f"title: {_quoted(data.title)}"
+    yield f"abstract: {_quoted(data.summary)}"
     yield "authors:"
-    for author in given.authors:
+    for author in data.authors:
         yield from _cited_author(author)
     yield f'version: "{VERSION}"'
-    yield f'date-released: "{given.day}"'
-    yield f"license: {given.licence.identifier}"
+    yield f'date-released: "{data.day}"'
+    yield f"license: {data.licence.identifier}"
     yield "keywords:"
     yield from (f"  - {_quoted(keyword)}" for keyword in KEYWORDS)
     yield "identifiers:"
-    for test in given.tests:
+    for test in data.tests:
         yield "  - type: other"
         yield f"    value: {_quoted('urn:uuid:' + str(test.about['identifier']))}"
         yield f"    description: {_quoted(f'the test {test.title}, {test.path.name}')}"
@@ -145,7 +145,7 @@ def _quoted(text: str) -> str:
 
 
 EPOCH = (1980, 1, 1, 0, 0, 0)
-"""The first moment that a ZIP file can tell: when it was packed is no property of the data."""
+"""The earliest time in a ZIP file: the time of packing is no property of the data."""
 READABLE = 0o100644 << 16
 UNIX = 3
 
@@ -153,16 +153,16 @@ UNIX = 3
 def write_archive(
     target: Path, files: Sequence[PackedFile], digests: Mapping[str, str], progress: Progress
 ) -> None:
-    """Write the files in the order of their places; what is compressed is only stored.
+    """Write the files in the order of their paths; compressed ones are only stored.
 
-    digests: SHA-256 by place, as it was before. Raises UnusableInput for a file that has changed.
+    digests: SHA-256 by path, as it was before. Raises UnusableInput for a file that has changed.
     """
     with zipfile.ZipFile(target, "x") as archive:
-        for file in sorted(files, key=lambda packed: packed.place):
-            about = zipfile.ZipInfo(file.place, EPOCH)
+        for file in sorted(files, key=lambda packed: packed.path):
+            about = zipfile.ZipInfo(file.path, EPOCH)
             about.create_system, about.external_attr = UNIX, READABLE
             about.compress_type = zipfile.ZIP_STORED if file.packed else zipfile.ZIP_DEFLATED
-            about.file_size = file.size  # tells whether the entry needs 64 bits
+            about.file_size = file.size  # decides whether the entry needs 64 bits
             digest = hashlib.sha256()
             with _Deflate() as deflate, archive.open(about, "w") as entry:
                 if not file.packed and hasattr(entry, "_compressor"):
@@ -171,7 +171,7 @@ def write_archive(
                     entry.write(part)
                     digest.update(part)
                     progress(len(part))
-            if digest.hexdigest() != digests[file.place]:
+            if digest.hexdigest() != digests[file.path]:
                 raise UnusableInput(f"{file.source}: was changed while it was packed.")
 
 
@@ -194,13 +194,13 @@ class _Deflate:
         self._pool.shutdown(cancel_futures=True)
 
     def compress(self, data: bytes) -> bytes:
-        """Take a piece; return what is compressed of those before."""
+        """Take a piece; return the compressed part of those before."""
         self._pieces.append(self._pool.submit(_deflated, data, self._before))
         self._before = data[-DICTIONARY:]
         return self._pieces.popleft().result() if len(self._pieces) > 2 * self._cores else b""
 
     def flush(self) -> bytes:
-        """Return what is left, and the end of the stream."""
+        """Return the rest, and the end of the stream."""
         rest = b"".join(piece.result() for piece in self._pieces)
         return rest + zlib.compressobj(wbits=-zlib.MAX_WBITS).flush()
 
@@ -222,23 +222,23 @@ STATUSES = {
 }
 
 
-def readme(given: Publication, files: Sequence[PackedFile]) -> str:
+def readme(data: Publication, files: Sequence[PackedFile]) -> str:
     """Return the text; files: all files of the package that it explains."""
     blocks = [
-        _heading(given.title, "="),
-        _wrapped(given.summary),
-        f"Authors: {'; '.join(author.name for author in given.authors)}",
-        f"Licence: {given.licence.name} ({given.licence.identifier}), {given.licence.url}",
-        *_tests(given.tests),
+        _heading(data.title, "="),
+        _wrapped(data.summary),
+        f"Authors: {'; '.join(author.name for author in data.authors)}",
+        f"Licence: {data.licence.name} ({data.licence.identifier}), {data.licence.url}",
+        *_tests(data.tests),
         _heading("Files", "-"),
-        "\n".join(_listed((file.place, file.about) for file in files)),
+        "\n".join(_listed((file.path, file.about) for file in files)),
         _heading("Columns of statistics.csv", "-"),
         _wrapped(
             "Numbers have a point; times are seconds; NaN or an empty field is a value that is not"
             " known. A revolution without trouble has quality 0, else a sum of the flags that"
             " docs/file-format.md of rigapp explains."
         ),
-        "\n".join(_columns(given.tests)),
+        "\n".join(_columns(data.tests)),
         _heading("Checking and reading", "-"),
         _wrapped(
             "sha256sum -c SHA256SUMS tells whether all files are as they were packed. The test"
@@ -294,7 +294,7 @@ Shown = Callable[[float, float], None]
 
 
 def published(paths: Sequence[Path], authors: Sequence[str], licence: str) -> Publication:
-    """Return what is to be published; raise UnusableInput for a test that runs, or has no author.
+    """Return the publication of tests; raise UnusableInput for one that runs, or has no author.
 
     authors: as "Family, Given"; without any the operators of the tests. licence: as SPDX names it.
     """
@@ -304,13 +304,13 @@ def published(paths: Sequence[Path], authors: Sequence[str], licence: str) -> Pu
     return Publication(tests, authors_of(authors, (test.operator for test in tests)), terms)
 
 
-def private_in(given: Publication, computers: frozenset[str]) -> list[Finding]:
-    """Return what is private in the tests; computers: names of computers to look for."""
-    return findings(given.tests, given.authors, computers)
+def private_in(data: Publication, computers: frozenset[str]) -> list[Finding]:
+    """Return the private data in the tests; computers: names of computers to search for."""
+    return findings(data.tests, data.authors, computers)
 
 
 def refuse_target(to: Path) -> None:
-    """Refuse a package that has another ending, is there already or has no folder."""
+    """Refuse a package that has another suffix, exists already or has no folder."""
     if wrong := name_refusal(to):
         raise UnusableInput(f"--to: {wrong}.")
     if to.suffix.lower() != ".zip":
@@ -321,14 +321,14 @@ def refuse_target(to: Path) -> None:
         raise UnusableInput(f"{to}: the folder {to.parent} does not exist; create it first.")
 
 
-def write_package(given: Publication, to: Path, progress: Shown | None = None) -> list[PackedFile]:
+def write_package(data: Publication, to: Path, progress: Shown | None = None) -> list[PackedFile]:
     """Write the package and return its files; an existing one raises UnusableInput.
 
-    progress(done, all): bytes. It appears under its name when it is whole.
+    progress(done, all): bytes. It appears under its name when it is complete.
     """
     refuse_target(to)
     with _in_its_folder(to) as (hidden, work):
-        files = _all_files(given, work)
+        files = _all_files(data, work)
         total, done = 2 * sum(file.size for file in files), 0
 
         def tell(more: int) -> None:
@@ -337,36 +337,36 @@ def write_package(given: Publication, to: Path, progress: Shown | None = None) -
             if progress is not None:
                 progress(done, total)
 
-        digests = {file.place: file.digest(tell) for file in files}
-        lines = (f"{digest}  {place}\n" for place, digest in sorted(digests.items()))
+        digests = {file.path: file.digest(tell) for file in files}
+        lines = (f"{digest}  {path}\n" for path, digest in sorted(digests.items()))
         sums = text_file(work, *ABOUT_SUMS, "".join(lines))
         digests[SUMS] = sums.digest(lambda _: None)
-        files = sorted([*files, sums], key=lambda file: file.place)
+        files = sorted([*files, sums], key=lambda file: file.path)
         write_archive(hidden, files, digests, tell)
-        refuse_changed(given.tests)  # report, table and sums are of the same file
+        refuse_changed(data.tests)  # report, table and sums are of the same file
         _sync(hidden)
         move_into_place(hidden, to)
     return files
 
 
-def _all_files(given: Publication, work: Path) -> list[PackedFile]:
+def _all_files(data: Publication, work: Path) -> list[PackedFile]:
     """Return every file but the sums, those that describe the others last."""
-    files = [file for test in given.tests for file in files_of(test, work)]
+    files = [file for test in data.tests for file in files_of(test, work)]
     about = "the licence of these data"
-    cited = "\n".join((*citation(given), ""))
+    cited = "\n".join((*citation(data), ""))
     files += [
         text_file(work, CITATION, "how to cite these data, for programs", YAML, cited),
-        text_file(work, LICENCE, about, TEXT, given.licence.text),
+        text_file(work, LICENCE, about, TEXT, data.licence.text),
     ]
     named = [PackedFile(name, work / name, about, media) for name, about, media in DESCRIBING]
-    text = readme(given, sorted([*files, *named], key=lambda file: file.place))
+    text = readme(data, sorted([*files, *named], key=lambda file: file.path))
     files.append(text_file(work, *ABOUT_ITSELF, text))
-    return [*files, text_file(work, *ABOUT_CRATE, crate(given, files))]
+    return [*files, text_file(work, *ABOUT_CRATE, crate(data, files))]
 
 
 @contextmanager
 def _in_its_folder(to: Path) -> Iterator[tuple[Path, Path]]:
-    """Yield a hidden name beside the target and a folder to work in; nothing of them is left."""
+    """Yield a hidden name beside the target and a folder to work in; both are removed."""
     hidden = hidden_name(to)
     try:
         with tempfile.TemporaryDirectory(dir=to.parent, prefix=f"{hidden.name}-") as work:

@@ -1,4 +1,4 @@
-"""The tests of a package and their files: what is said of each, what each is called and holds."""
+"""The tests of a package and their files: descriptions, names and contents."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ STEP_COLUMN = ("step", "1", "number of the step of the test")
 class PackagedTest:
     """One test that is published.
 
-    folder: where its files stand in the package. state: of the file when it was read. columns:
+    folder: of its files in the package. state: of the file when it was read. columns:
     name, unit and meaning of each column of its statistics. texts: every text of the file with its
     path, the log left out.
     """
@@ -44,12 +44,12 @@ class PackagedTest:
 
     @property
     def title(self) -> str:
-        """Return what the test is called."""
+        """Return the title of the test."""
         return str(self.about["title"]) or self.folder
 
     @property
     def operator(self) -> str:
-        """Return who made the test."""
+        """Return the operator of the test."""
         return str(self.about["operator"])
 
     @property
@@ -59,7 +59,7 @@ class PackagedTest:
 
 
 def packaged_tests(paths: Sequence[Path]) -> tuple[PackagedTest, ...]:
-    """Read what is said of tests; raise UnusableInput for one that runs, and for two of a name."""
+    """Read the facts of tests; raise UnusableInput for one that runs, and for two of a name."""
     result: dict[str, PackagedTest] = {}
     for path in paths:
         test = _read(path)
@@ -122,7 +122,7 @@ def _columns(reader: TestReader) -> tuple[tuple[str, str, str], ...]:
 HDF5, HTML, CSV = "application/x-hdf5", "text/html", "text/csv"
 JSON, TOML, TEXT, YAML = "application/json", "application/toml", "text/plain", "application/yaml"
 RECORD = "record_"
-"""How a sealed record is called in the group ``/entry/calibration``."""
+"""Prefix of a sealed record's name in the group ``/entry/calibration``."""
 AT_A_TIME = 1 << 20
 
 Progress = Callable[[int], None]
@@ -132,11 +132,11 @@ Progress = Callable[[int], None]
 class PackedFile:
     """One file of a package.
 
-    place: its path there. source: its bytes. about: what it is. media: its media type. packed:
+    path: in the package. source: its bytes. about: what it is. media: its media type. packed:
     whether its bytes are compressed already.
     """
 
-    place: str
+    path: str
     source: Path
     about: str
     media: str
@@ -163,13 +163,13 @@ class PackedFile:
 
 
 def files_of(test: PackagedTest, work: Path) -> Iterator[PackedFile]:
-    """Yield the files of a test; what is made of it is written into the folder ``work``."""
+    """Yield the files of a test; generated ones are written into the folder ``work``."""
     folder = work / test.folder
     folder.mkdir()
     about = "the test as it was recorded: NeXus/HDF5, see docs/file-format.md of rigapp"
     table = folder / "statistics.csv"
     with ThreadPoolExecutor(1, "trimmed copy") as pool:
-        # It is compressed by other processors than the one that makes the table.
+        # Other processors compress it while this one makes the table.
         copied = pool.submit(_whole, test, folder)
         report = _report(test.path)
         _export(test.path, table)
@@ -197,16 +197,16 @@ def _whole(test: PackagedTest, folder: Path) -> Path:
     """Return the file of a test that goes into its package."""
     if test.compressed:
         return test.path
-    # What is written in place has rows beyond the committed ones, which others take for data.
+    # A file written in place has rows beyond the committed ones, which others take for data.
     trimmed_copy(test.path, folder / test.path.name)
     return folder / test.path.name
 
 
-def text_file(work: Path, place: str, about: str, media: str, text: str) -> PackedFile:
-    """Write a text of the package as a whole, and return it."""
-    source = work / place
+def text_file(work: Path, path: str, about: str, media: str, text: str) -> PackedFile:
+    """Write a text file of the package, and return it."""
+    source = work / path
     source.write_text(text, encoding="utf-8")
-    return PackedFile(place, source, about, media)
+    return PackedFile(path, source, about, media)
 
 
 def _made(folder: Path, name: str, about: str, media: str, data: bytes) -> PackedFile:
@@ -237,5 +237,5 @@ def _records(calibration: Any) -> Iterator[tuple[str, str]]:
 
 
 def _json(value: Any) -> bytes:
-    """Return a value as JSON, its keys in order; numbers that are none become null."""
+    """Return a value as JSON, its keys in order; NaN and infinity become null."""
     return msgspec.json.format(json_bytes(value, order="deterministic"), indent=1) + b"\n"

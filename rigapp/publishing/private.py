@@ -1,4 +1,4 @@
-"""What is private in a text, by how it looks; and the text without it."""
+"""Private data in a text, by patterns; and the text without it."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ NO_HOST = frozenset({"hwgrep", "loop", "spy", "alt", "file"})
 PROGRAM = frozenset(
     {"", "engine", "limits", "drive", "storage", "twin", "messages", "queue", "operator"}
 )
-"""Who writes into a log without being a person, and a person who gave no name."""
+"""Names in a log that are no person, and that of a person without a name."""
 
 
 def without_private(text: str, names: Iterable[str]) -> str:
-    """Return a text in which what is private is replaced by what it is, in brackets.
+    """Return a text in which private data are replaced by their kinds, in brackets.
 
     Home folders, e-mail addresses, addresses of other computers (that of a document, too: it may
     hold a secret), and names, as whole words. names: of people and computers.
@@ -52,12 +52,12 @@ def _without_host(url: re.Match[str]) -> str:
     except ValueError:
         host = rest
     address = address_of(host)
-    here = host == "localhost" or (address is not None and address.is_loopback)
-    return url[0] if scheme in NO_HOST or scheme == "wire" or here else f"{scheme}://[address]"
+    is_local = host == "localhost" or (address is not None and address.is_loopback)
+    return url[0] if scheme in NO_HOST or scheme == "wire" or is_local else f"{scheme}://[address]"
 
 
 def address_of(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
-    """Return a text as an IP address, None where it is none."""
+    """Return the IP address of a text, None where it is none."""
     try:
         return ipaddress.ip_address(text)
     except ValueError:
@@ -65,6 +65,6 @@ def address_of(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | Non
 
 
 def is_elsewhere(text: str) -> bool:
-    """Tell whether a text is the address of some computer, and not of whichever this is."""
+    """Return whether a text is the address of another computer, not of this one."""
     result = address_of(text)
     return result is not None and not (result.is_loopback or result.is_unspecified)

@@ -1,4 +1,4 @@
-"""What is published: tests, authors and licence."""
+"""A publication: tests, authors and licence."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from rigapp.publishing.packaged import PackagedTest
 
 @dataclass(frozen=True, slots=True)
 class Author:
-    """A person by family name and given name, or whoever has one name alone: a laboratory."""
+    """A person by family name and given name, or an author with one name: a laboratory."""
 
     family: str
     given: str = ""
 
     @property
     def name(self) -> str:
-        """Return the name as one says it."""
+        """Return the name in the spoken order."""
         return f"{self.given} {self.family}".strip()
 
     @property
     def spellings(self) -> frozenset[str]:
-        """Return how the author may stand in a file, in small letters."""
+        """Return the spellings of the author in a file, in small letters."""
         both = (self.name, f"{self.family}, {self.given}")
         return frozenset(spelling.casefold() for spelling in both)
 
 
-def authors_of(given: Sequence[str], operators: Iterable[str]) -> tuple[Author, ...]:
+def authors_of(texts: Sequence[str], operators: Iterable[str]) -> tuple[Author, ...]:
     """Return the authors that were named, else the operators of the tests; raise UnusableInput."""
-    for text in given:
+    for text in texts:
         if not text.strip(" ,"):
             raise UnusableInput(f"--author {text!r}: names nobody; write it as 'Family, Given'.")
-    names = [*given] or [operator for operator in operators if operator.strip()]
+    names = [*texts] or [operator for operator in operators if operator.strip()]
     if not names:
         raise UnusableInput(
             "No author is known, as the tests name no operator; give --author 'Family, Given'."
@@ -48,7 +48,7 @@ def _author(text: str) -> Author:
 
 @dataclass(frozen=True, slots=True)
 class Licence:
-    """One licence: its SPDX identifier, its name, where its text stands."""
+    """One licence: its SPDX identifier, its name, the URL of its text."""
 
     identifier: str
     name: str
@@ -56,7 +56,7 @@ class Licence:
 
     @property
     def text(self) -> str:
-        """Return what stands in the file LICENSE."""
+        """Return the content of the file LICENSE."""
         return (
             f"These data are published under the {self.name}.\n\n"
             f"SPDX-License-Identifier: {self.identifier}\n"
@@ -102,11 +102,11 @@ LICENCES = {
         ),
     )
 }
-"""Those that data repositories offer; licences of programs say nothing of data."""
+"""Licences that data repositories offer; those of programs do not cover data."""
 
 
 def licence_of(identifier: str) -> Licence:
-    """Return the licence that somebody named, in whatever case; raise UnusableInput."""
+    """Return the licence of an identifier, in any case; raise UnusableInput."""
     for licence in LICENCES.values():
         if licence.identifier.casefold() == identifier.strip().casefold():
             return licence
@@ -117,13 +117,13 @@ def licence_of(identifier: str) -> Licence:
 
 
 VERSION = "1.0"
-"""Of the data: a package is published once, whatever is mended later is another one."""
+"""Of the data: a package is published once, a corrected one is another publication."""
 KEYWORDS = ("wear test", "slider-crank", "joint clearance", "bushing")
 
 
 @dataclass(frozen=True, slots=True)
 class Publication:
-    """The tests of a package, whose they are, and how others may use them."""
+    """The tests of a package, their authors, and the licence."""
 
     tests: tuple[PackagedTest, ...]
     authors: tuple[Author, ...]
@@ -143,7 +143,7 @@ class Publication:
 
     @property
     def summary(self) -> str:
-        """Return what was done, in one or two sentences."""
+        """Return a summary in one or two sentences."""
         total = sum(int(test.summary["revolutions"]) for test in self.tests)
         simulated = sum(bool(test.about["simulated"]) for test in self.tests)
         words = (

@@ -65,7 +65,7 @@ class Post:
     def step(self, facts: Sequence[Fact] = ()) -> None:
         answer = self.notifier.step(facts)
         if answer is not None:
-            self.said += answer.said
+            self.said += answer.remarks
             self.wrong = self.wrong if answer.wrong is None else answer.wrong
 
     def until(self, condition: Callable[[], Any], what: str) -> None:
@@ -349,7 +349,7 @@ setup = msgspec.json.decode(Path(sys.argv[1]).read_bytes(), type=NotifierSetup)
 status = Status.of_flat(dict(state=RunState.RUNNING, rig="Rig", test="Long test", revolution=420))
 link = NotifierLink(setup, Nothing(), lambda: status, print, print, Path(sys.argv[2]))
 while True:
-    print(link.notifier_pid, link._heard, flush=True)
+    print(link.notifier_pid, link._processed, flush=True)
     time.sleep(0.1)
 """
 
