@@ -1,7 +1,7 @@
 """Parameter studies: many points of model and virtual test computed by Dask, one table of results.
 
-``file`` is what a study file says, ``kinds`` what can be computed of a point, ``design`` which
-points; ``points`` is what a worker does, ``journal`` what is safe of it, ``running`` sends the
-points out. ``table``, ``sensitivity``, ``power`` and ``pictures`` are what comes of the results,
-``folder`` reads them back. Others enter by ``running``, ``folder``.
+``design`` is the study file with its points, ``kinds`` what can be computed of a point; ``points``
+is the work of a worker, ``journal`` stores its rows, ``running`` distributes the points. ``table``
+and ``sensitivity`` evaluate the results, ``folder`` reads them back.
+Others enter by ``running``, ``folder``.
 """

@@ -1,4 +1,4 @@
-"""The study file, and the points that its design spreads."""
+"""The study file, and the points of its design."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Varied = list[float | str] | Spread
 
 
 class DesignSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[design]: the points. repeats: each point so often, by another seed, for virtual tests."""
+    """[design]: the points. repeats: runs of each point by different seeds, for virtual tests."""
 
     kind: DesignName = "grid"
     points: Annotated[int, within(1, MOST_POINTS)] = 1024
@@ -41,7 +41,7 @@ class DesignSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class StudyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A study file; ``rigapp.study.kinds`` says what [run] holds for each kind.
+    """A study file; ``rigapp.study.kinds`` has the [run] of each kind.
 
     parameters: the parameter file, from the study file's folder. vary: dotted keys of the parameter
     file, and of [run] with ``run.`` before them.
@@ -59,12 +59,12 @@ Value = float | str
 Unit = NDArray[np.float64]
 
 FEWEST_BLOCKS = 4
-"""Fewer base points than this tell nothing of sensitivities: all rows are plain points then."""
+"""Fewer base points than this give no sensitivities: all rows are plain points then."""
 
 
 @dataclass(frozen=True, slots=True)
 class StudyPoint:
-    """One row: its values by key, and the seed of what is drawn in it."""
+    """One row: its values by key, and the seed of its random numbers."""
 
     number: int
     values: Mapping[str, Value]
@@ -84,7 +84,7 @@ class Design:
 
 
 def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
-    """Return the points of a study; raise UnusableInput for what cannot be varied so."""
+    """Return the points of a study; raise UnusableInput for keys that cannot be varied so."""
     for key, varied in vary.items():
         _require_usable(key, varied)
     if section.kind == "grid":
@@ -180,7 +180,7 @@ def _sobol(dimensions: int, count: int, seed: int) -> Unit:
 
 
 def _at(varied: Varied, unit: float) -> Value:
-    """Return the value at a place 0 .. 1 of what is varied."""
+    """Return the value at a part 0 .. 1 of the range of a key."""
     if not isinstance(varied, Spread):
         return varied[min(int(unit * len(varied)), len(varied) - 1)]
     if varied.scale == "log":

@@ -1,4 +1,4 @@
-"""What lies in a study's folder, and reading it back for those who look on: no Dask, no xarray."""
+"""Read a study's folder back for display, without Dask and xarray."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ Floats = NDArray[np.float64]
 ROWS, IDENTITY = "rows.jsonl", "study.json"
 TABLE, CSV, POWER = "table.nc", "table.csv", "power.csv"
 NOT_COMPUTED = say("not computed yet")
-"""The problem of a point that is still to come."""
+"""The problem of a point that is not computed yet."""
 SENSITIVITY = "sensitivity_"
-"""Before the names of the indices among the columns of the table."""
+"""Prefix of the indices among the columns of the table."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StudyColumn:
     """A parameter or a result at each point, (n,), NaN where there is none.
 
-    texts: where the values are texts, all of them; ``values`` are then their places among these.
+    texts: where the values are texts, all of them; ``values`` are then their indices.
     """
 
     name: str
@@ -44,7 +44,7 @@ class StudyColumn:
 
 @dataclass(frozen=True, slots=True)
 class PowerRow:
-    """So great a share of so many tests has seen the factor after so many revolutions, or inf."""
+    """The revolutions after which a share of tests has detected a factor, or inf."""
 
     factor: float
     share: float
@@ -54,10 +54,10 @@ class PowerRow:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StudyResults:
-    """What a study came to. changed: when, seconds since 1970. said: why there is no table.
+    """The results of a study. changed: when, seconds since 1970. reason: why there is no table.
 
-    problems: of each point why it has no result, "" where it has. notes: what belongs to its result
-    otherwise. sensitivities: by result, each index of the parameters in their order.
+    problems: of each point why it has no result, "" where it has. notes: remarks on its result.
+    sensitivities: by result, each index of the parameters in their order.
     """
 
     folder: Path
@@ -69,11 +69,11 @@ class StudyResults:
     notes: tuple[str, ...] = ()
     sensitivities: Mapping[str, Indices] | None = None
     power: tuple[PowerRow, ...] = ()
-    said: str = ""
+    reason: str = ""
 
     @property
     def waiting(self) -> int:
-        """Return how many points are still to come."""
+        """Return the number of points not computed yet."""
         return self.problems.count(NOT_COMPUTED)
 
     @property
@@ -91,33 +91,33 @@ class StudyResults:
 def studies_in(folder: Path) -> tuple[StudyResults, ...]:
     """Return the studies of a folder and of those in it, that of the newest change first.
 
-    One that cannot be read, or has no table yet, says why. Raises OSError for no such folder.
+    One that cannot be read, or has no table yet, has a reason. Raises OSError for no such folder.
     """
-    there = [folder, *(path for path in folder.iterdir() if path.is_dir())]
-    studies = [study_results(path) for path in there if (path / IDENTITY).is_file()]
+    folders = [folder, *(path for path in folder.iterdir() if path.is_dir())]
+    studies = [study_results(path) for path in folders if (path / IDENTITY).is_file()]
     return tuple(sorted(studies, key=lambda study: study.changed, reverse=True))
 
 
 def points_done(folder: Path) -> int:
-    """Return how many points of a study are safe, 0 for no study."""
+    """Return the number of stored points of a study, 0 for no study."""
     rows = folder / ROWS
     return rows.read_bytes().count(b"\n") if rows.exists() else 0
 
 
 def study_results(folder: Path) -> StudyResults:
-    """Return what a study's folder holds; what cannot be read is said in the answer."""
+    """Return the results in a study's folder; ``reason`` says why they cannot be read."""
     newest = next((name for name in (TABLE, ROWS, IDENTITY) if (folder / name).exists()), "")
     changed = (folder / newest).stat().st_mtime
     if newest != TABLE:
-        said = say(
+        reason = say(
             "The study has no table yet: it is under way, or was killed. What is done"
             " is safe, and the same command goes on with it."
         )
-        return StudyResults(folder, changed, said=said)
+        return StudyResults(folder, changed, reason=reason)
     try:
         return _results(folder, changed)
     except UnusableInput as error:
-        return StudyResults(folder, changed, said=sentence_of_error(error))
+        return StudyResults(folder, changed, reason=sentence_of_error(error))
 
 
 def _results(folder: Path, changed: float) -> StudyResults:

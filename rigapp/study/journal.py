@@ -1,4 +1,4 @@
-"""What is safe of a study: its rows in a file that only grows, so that a killed study goes on."""
+"""The stored rows of a study, in a file that only grows, so that a killed study can go on."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rigapp.study.points import StudyRow
 
 
 class StudyIdentity(msgspec.Struct, frozen=True):
-    """What a folder's rows belong to: texts of study and parameters, and the program's version."""
+    """The identity of a folder's rows: texts of study and parameters, and the program's version."""
 
     study: str
     parameters: str
@@ -26,10 +26,10 @@ class StudyIdentity(msgspec.Struct, frozen=True):
 
 
 class StudyJournal:
-    """Append rows, each safe when it is written; one process at a time."""
+    """Append rows, each on the disk when it is written; one process at a time."""
 
     def __init__(self, folder: Path, identity: StudyIdentity) -> None:
-        """Take up a folder, or begin it; raise UnusableInput for another study's."""
+        """Continue a folder, or begin it; raise UnusableInput for another study's."""
         self.folder = folder
         try:
             folder.mkdir(parents=True, exist_ok=True)
@@ -88,7 +88,7 @@ class StudyJournal:
             )
 
     def _read(self) -> dict[int, StudyRow]:
-        """Return the rows that are whole; what a kill left of the last one is cut off."""
+        """Return the complete rows; a last one cut off by a kill is removed."""
         self._file.seek(0)
         data = self._file.read()
         end = data.rfind(b"\n") + 1

@@ -1,4 +1,4 @@
-"""What a study can compute of a point: one table of kinds, each with its settings and results."""
+"""The kinds of studies: one table, each with its settings and results."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Numbers = Mapping[str, float]
 
 @dataclass(frozen=True, slots=True)
 class Noted:
-    """Hold results by name with the sentences that belong to them."""
+    """Results by name with their remarks."""
 
     numbers: Numbers
     notes: tuple[str, ...] = ()
@@ -65,7 +65,7 @@ class LifeRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class IdentifyRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[run] of ``identify``: recorded tests; after_revolution: as known then, 0 for at the end."""
+    """[run] of ``identify``: recorded tests; after_revolution: as known then, 0: at the end."""
 
     files: list[str]
     file: str = ""
@@ -74,7 +74,7 @@ class IdentifyRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """Name a result with its unit and what it is."""
+    """A result: name, unit, description."""
 
     name: str
     unit: str
@@ -83,10 +83,10 @@ class Result:
 
 @dataclass(frozen=True, slots=True)
 class StudyKind:
-    """One thing to compute of a point.
+    """One kind of study.
 
     settings: of [run]. compute (parameters, settings, seed): its results by name, NaN where one is
-    not known, with what must be known about them; raises ValueError or UnusableInput with the
+    not known, with remarks; raises ValueError or UnusableInput with the
     sentence of the point. modelled: whether it needs a parameter file.
     """
 
@@ -263,11 +263,11 @@ KINDS: Mapping[str, StudyKind] = {
         ),
     )
 }
-"""Kind of a study -> what it computes."""
+"""The kinds of studies by name."""
 
 
 def record_of(name: str) -> type[StudyFile]:
-    """Return how a study file of a kind is read; raise UnusableInput for an unknown kind."""
+    """Return the record of a kind's study file; raise UnusableInput for an unknown kind."""
     kind = KINDS.get(name)
     if kind is None:
         raise UnusableInput("kind = {}: choose one of {}", repr(name), joined(", ", KINDS))

@@ -1,4 +1,4 @@
-"""What a worker does: compute some points of a study, each a row, whatever becomes of it."""
+"""The work of a worker: compute some points of a study, a row for each, failed or not."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters
 
 RUN = "run."
-"""Before the keys of [run] among those that are varied."""
+"""Prefix of the keys of [run] among the varied ones."""
 
 
 class StudyRow(msgspec.Struct, frozen=True):
-    """What came of a point: its results by name, those that are known, or why there are none.
+    """The row of a point: its known results by name, or why there are none.
 
-    notes: sentences that must be known about the results.
+    notes: remarks on the results, sentences.
     """
 
     number: int
@@ -36,7 +36,7 @@ class StudyRow(msgspec.Struct, frozen=True):
 
 
 class Batch(msgspec.Struct, frozen=True):
-    """Some points with all that a worker needs, on this computer or another.
+    """Some points with everything that a worker needs, on any computer.
 
     parameters: the parameter file's tables; run: those of [run].
     """

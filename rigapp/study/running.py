@@ -1,4 +1,4 @@
-"""Run a study on Dask: this computer's cores, or the workers of a scheduler; what is safe stays."""
+"""Run a study on Dask: on this computer's cores, or the workers of a scheduler."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ from rigapp.study.virtual import VirtualTest
 from rigapp.texts import joined, say, sentence_of_error
 
 SHARES = (0.5, 0.8, 0.9, 0.95)
-"""Of the tests that shall see the difference."""
+"""Shares of the tests that detect the difference."""
 FACTOR = "run.coefficient_factor"
 
 
 def write_power(
     folder: Path, study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
 ) -> list[Path]:
-    """Write of virtual tests by factor of their coefficient when how many saw it; else nothing."""
+    """Write when which share of virtual tests detected each factor of the coefficient, if any."""
     if KINDS[study.kind].settings is not VirtualTest:
         return []
     path = folder / POWER
@@ -58,7 +58,7 @@ def write_power(
 def seen_by_factor(
     study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
 ) -> dict[float, list[float]]:
-    """Return of each factor the revolutions at which its tests saw it, inf where they did not."""
+    """Return the revolutions at which the tests of each factor detected it, else inf."""
     assert isinstance(study.run, VirtualTest)
     by_key: dict[float, list[float]] = {}
     for point in design.points:
@@ -70,7 +70,7 @@ def seen_by_factor(
 
 
 def revolutions_until(seen: list[float], share: float) -> float:
-    """Return the revolutions after which so great a share has seen it; inf: not in time."""
+    """Return the revolutions after which a share has detected it; inf: not in time."""
     ordered = np.sort(seen)
     return float(ordered[max(math.ceil(share * len(ordered)) - 1, 0)])
 
@@ -78,18 +78,18 @@ def revolutions_until(seen: list[float], share: float) -> float:
 BATCH = 8
 """Points that a worker takes at once: tenths of a second, and so much is lost with a worker."""
 AHEAD = 3
-"""Batches that wait at each worker, so that none is ever without work."""
+"""Batches that wait at each worker, so that none is ever idle."""
 LOST_WORKERS = 20
 """Workers that may die under a batch before it counts as the cause."""
 CONNECT_S = 30
-"""A scheduler that lives answers at once; one on a busy cluster takes seconds."""
+"""A running scheduler answers at once; one on a busy cluster takes seconds."""
 
 Progress = Callable[[float, float], None]
 
 
 @dataclass(frozen=True, slots=True)
 class Study:
-    """A study as read: its file, all its points, and what identifies it."""
+    """A study as read: its file, all its points, and its identity."""
 
     path: Path
     record: StudyFile
@@ -100,7 +100,7 @@ class Study:
 
 @dataclass(frozen=True, slots=True)
 class StudyEnd:
-    """What a study came to: points in all, done, without a result; files that were written.
+    """The end of a study: points in all, done, without a result; written files.
 
     noted: points whose results have notes. unresolved: a sentence a result whose sensitivities need
     more points.
@@ -157,7 +157,7 @@ def _matching(folder: Path, pattern: str) -> Iterator[Path]:
 
 
 def _require_known(record: StudyFile, vary: dict[str, Varied]) -> None:
-    """Refuse a key that is none, and values that it cannot have, before anything is computed."""
+    """Refuse unknown keys, and values that they cannot have, before anything is computed."""
     kind = KINDS[record.kind]
     known = {f"{RUN}{key.path}": key for key in keys_of(kind.settings)}
     known |= {key.path: key for key in keys_of(ParameterFile)} if kind.modelled else {}
@@ -180,13 +180,13 @@ def run_study(
     scheduler: str = "",
     workers: int | None = None,
     progress: Progress | None = None,
-    told: Callable[[str], None] = lambda words: None,
+    report: Callable[[str], None] = lambda words: None,
 ) -> StudyEnd:
-    """Compute the points that are not safe yet and write the tables; return what it came to.
+    """Compute the points that are not stored yet and write the tables; return the result.
 
     scheduler: address of a Dask scheduler, else workers processes here, as many as there are cores
-    when None. told: called with a sentence, as that of the dashboard. Raises UnusableInput. An
-    interrupt (KeyboardInterrupt) leaves what is safe, with its tables.
+    when None. report: called with a sentence, as that of the dashboard. Raises UnusableInput. An
+    interrupt (KeyboardInterrupt) leaves the stored points, with their tables.
     """
     with from_extra("studies", say("A study")):
         importlib.import_module("distributed")
@@ -195,7 +195,7 @@ def run_study(
         todo = [point for point in study.design.points if point.number not in rows]
         try:
             if todo:
-                _compute(study, todo, journal, rows, scheduler, workers, progress, told)
+                _compute(study, todo, journal, rows, scheduler, workers, progress, report)
         except KeyboardInterrupt:
             _written(study, folder, rows)
             raise
@@ -224,7 +224,7 @@ def _unresolved(study: Study, known: Mapping[str, Indices]) -> Iterator[str]:
 def _written(
     study: Study, folder: Path, rows: dict[int, StudyRow]
 ) -> tuple[tuple[Path, ...], dict[str, Indices]]:
-    """Write tables and pictures of what there is; return their paths, and the sensitivities."""
+    """Write tables and pictures of the stored points; return their paths, and the sensitivities."""
     record, design = study.record, study.design
     known = sensitivities(record, design, rows)
     files = (
@@ -243,15 +243,15 @@ def _compute(
     scheduler: str,
     workers: int | None,
     progress: Progress | None,
-    told: Callable[[str], None],
+    report: Callable[[str], None],
 ) -> None:
-    """Send batches out, a few ahead of each worker, and keep each as soon as it is back."""
+    """Distribute batches, a few ahead of each worker, and store each as soon as it is back."""
     from distributed import as_completed
 
     total = len(study.design.points)
     with _client(scheduler, workers) as client:
         if client.dashboard_link and importlib.util.find_spec("bokeh") is not None:
-            told(say("Dask's dashboard is at {}", client.dashboard_link))
+            report(say("Dask's dashboard is at {}", client.dashboard_link))
         batches = iter(_batches(study, todo))
 
         def send(batch: Batch) -> Any:
@@ -311,7 +311,7 @@ def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
         if scheduler:
             yield ending.enter_context(_connected(scheduler))
             return
-        # As ``-P`` of ``module_command``, for what multiprocessing starts: workers and its tracker.
+        # As ``-P`` of ``module_command``, for processes of multiprocessing: workers and tracker.
         os.environ["PYTHONSAFEPATH"] = "1"
         cluster = LocalCluster(
             n_workers=workers or os.cpu_count() or 1,
@@ -319,8 +319,8 @@ def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
             processes=True,
             dashboard_address="127.0.0.1:0",
             silence_logs=50,
-            # Who reaches a scheduler runs code as its user, and every account reaches loopback:
-            # keys of its own, for this cluster alone.
+            # A client of a scheduler runs code as its user, and every account reaches loopback:
+            # so this cluster has keys of its own.
             security=True,
         )
         ending.enter_context(cluster)
@@ -328,7 +328,7 @@ def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
 
 
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
-"""A worker is one core: threads of libraries would fight over them."""
+"""A worker is one core: threads of libraries would compete for them."""
 
 
 def _connected(scheduler: str) -> Any:

@@ -1,4 +1,4 @@
-"""Sobol's indices: what share of a result's variance each parameter brings, with limits.
+"""Sobol's indices: the share of each parameter in a result's variance, with limits.
 
 First order by Saltelli (2010), total by Jansen (1999), limits by the bootstrap over base points.
 """
@@ -16,8 +16,8 @@ RESAMPLES = 1000
 LIMITS = (2.5, 97.5)
 FEWEST = 4
 RESOLVED = 0.1
-"""Half the distance of its limits up to which an index is resolved: who comes first is then known,
-but for keys that bring about the same."""
+"""Half the distance of its limits up to which an index is resolved: the ranking is then known, but
+for keys of about the same index."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,7 +32,7 @@ class Indices:
     total_high: Floats
 
     def points_needed(self, base_points: int) -> int:
-        """Return how many base points would resolve every index; 0 where these do.
+        """Return the number of base points that resolves every index; 0 where these do.
 
         The limits narrow as one over the root of the number of points.
         """

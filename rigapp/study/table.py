@@ -33,7 +33,7 @@ def write_tables(
     rows: Mapping[int, StudyRow],
     known: Mapping[str, Indices],
 ) -> list[Path]:
-    """Write ``table.nc`` and ``table.csv``, in place of those of before; return their paths.
+    """Write ``table.nc`` and ``table.csv``, in place of older ones; return their paths.
 
     known: ``sensitivities``.
     """
@@ -54,10 +54,10 @@ def write_tables(
 def dataset(
     study: StudyFile, design: Design, rows: Mapping[int, StudyRow], known: Mapping[str, Indices]
 ) -> xarray.Dataset:
-    """Return a row a point over ``point``, and what the results depend on over ``parameter``.
+    """Return a row for each point over ``point``, and the sensitivities over ``parameter``.
 
     Points that are not computed yet, and those without a result, are NaN; ``problem`` says why.
-    ``notes`` has the sentences that belong to a result.
+    ``notes`` has the remarks on a result.
     """
     keys = list(design.points[0].values) if design.points else []
     columns: dict[str, Any] = {}
@@ -91,7 +91,7 @@ def result(name: str, design: Design, rows: Mapping[int, StudyRow]) -> NDArray[n
 def sensitivities(
     study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
 ) -> dict[str, Indices]:
-    """Return what each result depends on, by its name; nothing where the design does not tell."""
+    """Return the sensitivities of each result by name; none where the design has no blocks."""
     keys = len(design.points[0].values) if design.points else 0
     if not design.blocks:
         return {}
@@ -143,7 +143,7 @@ MOST_SHOWN = 6
 DPI = 160
 DECADE = 10.0
 _AMBIGUOUS = ("youngs_modulus", "poissons_ratio")
-"""Keys that say nothing without their section: pin and bushing have both."""
+"""Keys that are ambiguous without their section: pin and bushing have both."""
 
 
 def draw_study(
@@ -212,7 +212,7 @@ def label_of(key: str, *, unit: bool = True) -> str:
 
 
 def is_logarithmic(varied: Varied | None) -> bool:
-    """Tell whether a parameter was varied in the logarithm, or listed over a decade and more."""
+    """Return whether a parameter was varied in the logarithm, or listed over a decade and more."""
     if isinstance(varied, Spread):
         return varied.scale == "log"
     numbers = [value for value in varied or [] if isinstance(value, int | float)]

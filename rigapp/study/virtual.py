@@ -1,4 +1,4 @@
-"""A virtual wear test: a joint of known wear coefficient, probes with errors, what it tells."""
+"""A virtual wear test: a joint of known wear coefficient, probes with errors, the result."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class VirtualTest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[str, float]:
-    """Return what a virtual test tells of its wear coefficient; the same seed gives the same."""
+    """Return the identified wear coefficient of a virtual test; the same seed gives the same."""
     from rigapp_model.identification import Bins, NotIdentifiable, Prior, ProbeErrors, identify
 
     life = _life(parameters, run.rpm, run.joint, run.revolutions, run.coefficient_factor)
@@ -86,7 +86,7 @@ def virtual_test(parameters: Parameters, run: VirtualTest, seed: int) -> dict[st
 
 
 def _seen_from(estimates: list[tuple[float, Credible]], reference: float) -> float:
-    """Return the revolution from which all limits leave a coefficient out; NaN without one."""
+    """Return the revolution from which all limits exclude a coefficient; NaN without one."""
     seen = math.nan
     for revolution, known in reversed(estimates):
         if known.low <= reference <= known.high:
@@ -96,7 +96,7 @@ def _seen_from(estimates: list[tuple[float, Credible]], reference: float) -> flo
 
 
 def _measured(depth: np.ndarray, errors: ProbeErrors, seed: int) -> np.ndarray:
-    """Return what the probes read of a depth (n,), m, with errors drawn by a seed."""
+    """Return the probes' readings of a depth (n,), m, with errors drawn by a seed."""
     random = np.random.default_rng(seed)
     number = np.arange(1.0, depth.size + 1.0)
     walked = np.sqrt(np.diff(np.log(number), prepend=0.0))
@@ -111,7 +111,7 @@ def _measured(depth: np.ndarray, errors: ProbeErrors, seed: int) -> np.ndarray:
 def _life(
     parameters: Parameters, rpm: float, joint: str, revolutions: int, factor: float
 ) -> DepthLife:
-    """Return the depth by nominal cycles, as far as the test goes; its work of a point is kept."""
+    """Return the depth by nominal cycles, as far as the test goes; cached for a point."""
     from rigapp_model.identification import depth_life, worn_ahead
     from rigapp_model.wear.life import life
     from rigapp_model.wear.loads import gathered, loads_of_cycle

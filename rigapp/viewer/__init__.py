@@ -1,4 +1,4 @@
-"""What window and page know: the engine's snapshots, a test's file, who is in command. No Qt here.
+"""The data behind window and page: the engine's snapshots, a test's file, control. No Qt here.
 
-Everything slow is done on a worker's thread and handed over when the screen asks for it.
+Slow work runs on a worker's thread, and its results are delivered to the screen's thread.
 """

@@ -1,4 +1,4 @@
-"""The channels that are shown, and how the window calls them, from the table of engine or file."""
+"""The channels that are shown, and their names in the window, from the table of engine or file."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ SIZE = next(
 _DIRECTIONS = dict(zip(COMPONENTS, COMPONENT_NAMES[ForceFrame.CRANK], strict=True))
 
 _QUANTITIES: Final[dict[str, Text]] = {"N": "Force", "um": "Position", "degC": "Temperature"}
-"""What a unit alone tells of the quantity, for the words at an axis."""
+"""Unit -> the quantity of an axis."""
 
 _PROBES: Final[tuple[Text, ...]] = ("Probe 1", "Probe 2")
-"""What the names of the probes become; a free channel is called as the rig file calls it."""
+"""Names of the probes; a free channel has that of the rig file."""
 
 _SPANS = {"N": 5.0, "um": 5.0, "rpm": 1.0, "mm": 0.002, "degC": 0.5, "%": 1.0}
 """The smallest range drawn, by unit: about twice the noise of a good instrument."""
@@ -59,7 +59,7 @@ def words(name: str) -> str:
 
 
 def title_of(channel: Channel) -> str:
-    """Return what the window calls a channel."""
+    """Return the name of a channel in the window."""
     if channel.name == SIZE:
         return "|F|"
     if channel.name in COMPONENTS:

@@ -27,7 +27,7 @@ class RevolutionCurves:
 
     ``model`` is on the model's own angles, ``residual`` (measured - model) on the measured ones.
     agreement: within which a healthy rig is from its model, N, on the model's angles; None where
-    the prediction does not say.
+    the prediction has none.
     """
 
     angle_deg: Floats
@@ -124,7 +124,7 @@ def uncertainty_of(channels: Sequence[ChannelView]) -> float:
 
 
 def joint_uncertainty(*uncertainties: float) -> float:
-    """Return U of a difference of independent values, of those that are known; NaN: none is."""
+    """Return U of a difference of independent values, of the known ones; NaN without any."""
     known = [uncertainty for uncertainty in uncertainties if math.isfinite(uncertainty)]
     return math.hypot(*known) if known else math.nan
 

@@ -1,4 +1,4 @@
-"""The window's line to the engine: attach, notice silence, attach again; commands with a reply."""
+"""The window's connection to the engine: attach, detect silence, reconnect; requests."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from rigapp.schema.verbs import verb_of
 from rigapp.texts import say
 from rigapp.viewer.tasks import TaskWorker
 
-ASK_EVERY_S = 2.0  # a lost command is seen within two looks at the screen
+ASK_EVERY_S = 2.0  # a lost control is shown within two glances at the screen
 
 
 class CommandHolder(enum.Enum):
-    """Tell who has control, as seen from this window."""
+    """The holder of control, as seen from this window."""
 
     NOBODY = "nobody"
     THIS = "this window"
@@ -28,10 +28,10 @@ class CommandHolder(enum.Enum):
 
 
 class CommandWatch:
-    """Know who has control. A name is not enough, for two viewers may bear the same one.
+    """Track who has control. A name is not enough, for two viewers may have the same one.
 
-    The engine is asked whether it is this viewer whenever the name changes, and every two seconds
-    while somebody has control.
+    Whenever the name changes, and every two seconds while a viewer has control, the engine is asked
+    whether it is this one.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -42,13 +42,13 @@ class CommandWatch:
 
     @property
     def holder(self) -> CommandHolder:
-        """Return who has control."""
+        """Return the holder."""
         if not self.name:
             return CommandHolder.NOBODY
         return CommandHolder.THIS if self._mine else CommandHolder.OTHER
 
     def take_name(self, name: str) -> bool:
-        """Take the name that the engine tells; return whether it is to be asked whose it is."""
+        """Take the name in the engine's status; return whether to ask whose it is."""
         now = self._clock()
         if name != self.name:
             self.name = name
@@ -66,7 +66,7 @@ class CommandWatch:
             self._mine = bool(result.get("in_command"))
 
     def forget(self) -> None:
-        """Know nothing: another engine may answer next."""
+        """Reset: another engine may answer next."""
         self.name, self._mine = "", False
         self._requested_at = -ASK_EVERY_S
 
@@ -78,11 +78,11 @@ LOST_AFTER_S = 5.0  # longer than a busy computer pauses an engine
 FIRST_SNAPSHOT_S = 10.0  # an engine that has just been started imports meanwhile
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
 BROKEN: Text = say("The line to the engine broke.")
-RELEASE_S = 1.0  # closing the window may wait so long, no longer
+RELEASE_S = 1.0  # longest wait at the closing of the window
 
 
 class EngineClient(Protocol):
-    """Talk to one engine, in this process or another; operator: in whose name."""
+    """The interface of an engine's client, in this process or another; operator: its sender."""
 
     operator: str
 
@@ -93,7 +93,7 @@ class EngineClient(Protocol):
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
     ) -> Reply:
-        """Ask for something and wait for the reply; may be called from several threads."""
+        """Send a request and wait for the reply; may be called from several threads."""
         ...
 
     def close(self) -> None:
@@ -106,7 +106,7 @@ ReplyHandler = Callable[[Reply], None]
 
 
 class ConnectionState(enum.StrEnum):
-    """Tell how the line to the engine is."""
+    """The state of the connection to the engine."""
 
     ATTACHING = "attaching"
     ATTACHED = "attached"
@@ -141,23 +141,23 @@ class EngineConnection:
 
     @property
     def state(self) -> ConnectionState:
-        """Return the state of the line."""
+        """Return the state of the connection."""
         return self._state
 
     @property
     def reason(self) -> str:
-        """Return why the line is not good, in words."""
+        """Return why the connection is not good, in words."""
         return self._reason
 
     def sign_as(self, operator: str) -> None:
-        """Ask in somebody's name from now on; empty: as the client was made."""
+        """Set the operator of requests from now on; empty: that of the client."""
         self._operator = operator
         if self._client is not None and operator:
             self._client.operator = operator
 
     @property
     def is_replay(self) -> bool:
-        """Tell whether the client plays a recorded test instead of holding an engine."""
+        """Return whether the client plays a recorded test instead of holding an engine."""
         return bool(getattr(self._client, "is_replay", False))
 
     @property
@@ -166,7 +166,7 @@ class EngineConnection:
         return int(getattr(self._client, "last_recorded", 0))
 
     def silence_s(self) -> float:
-        """Return the seconds since the last word of the engine (0 before the first)."""
+        """Return the seconds since the engine's last message (0 before the first)."""
         if self._last_snapshot_at is None:
             return 0.0
         return self._clock() - self._last_snapshot_at
@@ -178,7 +178,7 @@ class EngineConnection:
         return self.status.rig.data_age_s + self.silence_s()
 
     def pump(self) -> Snapshot | None:
-        """Deliver replies, keep the line up, return what is new."""
+        """Deliver replies, keep the connection up, return a new snapshot."""
         for worker in (self._urgent, self._requests, self._attaching):
             worker.deliver()
         self._close_discarded()
@@ -201,7 +201,7 @@ class EngineConnection:
         return None
 
     def request(self, verb: str, arguments: dict[str, Any], handler: ReplyHandler) -> None:
-        """Ask the engine; the handler gets the reply, or a refusal in words, from ``pump``."""
+        """Send a request; the handler gets the reply, or a refusal in words, from ``pump``."""
         client = self._client
         if client is None:
             handler(
@@ -229,7 +229,7 @@ class EngineConnection:
                 client.request("release_command", {}, RELEASE_S)
         for worker in (self._attaching, self._requests, self._urgent):
             worker.close(timeout_s=1.0)
-        # What was asked for last, such as the end of a calibration, goes out before.
+        # The last requests, such as the end of a calibration, are sent before.
         if client is not None and self._requests.ended and self._urgent.ended:
             client.close()
 

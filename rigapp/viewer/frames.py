@@ -1,4 +1,4 @@
-"""The frames in which a force can be looked at; the file keeps the crank frame."""
+"""The frames in which a force can be shown; the file keeps the crank frame."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 
 
 class ForceFrame(enum.StrEnum):
-    """Name the frame of the two components."""
+    """The frame of the two components."""
 
     CRANK = "crank"
     FOLLOWER = "follower"
@@ -38,7 +38,7 @@ SHORT_NAMES: Final[dict[ForceFrame, tuple[Text, Text]]] = {
     ForceFrame.FOLLOWER: ("along", "across"),
     ForceFrame.GLOBAL: COMPONENT_NAMES[ForceFrame.GLOBAL],
 }
-"""The components where the frame is told beside them."""
+"""The components where the frame is named beside them."""
 
 
 def follower_angle(crank_angle_rad: ArrayLike, crank_over_follower: float) -> Floats:

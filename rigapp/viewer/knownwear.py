@@ -1,7 +1,7 @@
-"""What the window knows of the wear: the tiles from the newest columns, the bands from the file.
+"""The wear shown in the window: the tiles from the newest columns, the bands from the file.
 
 Bands and posteriors are computed by ``rigapp identify`` in a process of its own, so that the
-window does not stand still for it and shows the numbers that the command and the report show.
+window does not freeze and shows the numbers of the command and the report.
 """
 
 from __future__ import annotations
@@ -33,16 +33,16 @@ from rigapp.viewer.tasks import TaskWorker
 
 Floats = NDArray[np.float64]
 
-TOLD = 20.0
+ODDS = 20.0
 """Odds from which a statement is made, as in the sentences of ``rigapp_model.identification``."""
 TIMEOUT_S = 120.0
-"""Of one computation: it takes seconds, on a computer that does much else a minute."""
+"""Of one computation: it takes seconds, on a busy computer a minute."""
 COEFFICIENT, REMAINING = "wear_coefficient", "remaining_revolutions"
 
 
 @dataclass(frozen=True, slots=True)
 class NewestWear:
-    """Hold the newest statement of the prediction's columns; NaN where nothing is known."""
+    """The newest statement of the prediction's columns; NaN where nothing is known."""
 
     revolution: float = math.nan
     values: Mapping[str, float] = field(default_factory=dict)
@@ -52,7 +52,7 @@ class NewestWear:
 
     @property
     def known(self) -> bool:
-        """Tell whether a coefficient is stated."""
+        """Return whether a coefficient is stated."""
         return math.isfinite(self[COEFFICIENT])
 
     @property
@@ -61,10 +61,10 @@ class NewestWear:
         model, share = self["wear_model"], self["wear_model_weight"]
         if not math.isfinite(model):
             return ""
-        if model not in range(len(WEAR_MODELS)):  # of a newer version, or of a stranger
+        if model not in range(len(WEAR_MODELS)):  # of a newer version or another program
             return tr("the file's wear model {:g} is unknown here", model)
         word = tr(WEAR_MODELS[int(model)])
-        if share >= TOLD * (1.0 - share):
+        if share >= ODDS * (1.0 - share):
             return word
         return tr("not told, most likely {} ({:.0f} %)", word, 100.0 * share)
 
@@ -76,13 +76,13 @@ _NAMES = (
 )
 
 SEARCHED = 256
-"""Buckets looked through for the newest statement: it is asked for at every look for news."""
+"""Buckets searched for the newest statement, which is needed at every update."""
 RECENT = 256
-"""Revolutions among which the last one at the set speed is looked for: a ramp has fewer."""
+"""Revolutions searched for the last one at the set speed: a ramp has fewer."""
 
 
 def newest_wear(predictions: SeriesTable) -> NewestWear:
-    """Return the newest statement that stands in the columns."""
+    """Return the newest statement in the columns."""
     series = predictions.series(COEFFICIENT)
     buckets = series.envelope(0, len(series), SEARCHED)
     holding = np.flatnonzero(buckets.high > 0.0)
@@ -91,7 +91,7 @@ def newest_wear(predictions: SeriesTable) -> NewestWear:
     start = int(buckets.first[holding[-1]])
     stop = int(buckets.first[holding[-1] + 1]) if holding[-1] + 1 < len(buckets.first) else None
     known = np.flatnonzero(series.rows(start, len(series) if stop is None else stop) > 0.0)
-    if not known.size:  # long ago, and held in buckets alone
+    if not known.size:  # older rows are held in buckets alone
         return NewestWear()
     row = start + int(known[-1])
     values = {name: predictions.at(name, row) for name in _NAMES}
@@ -99,7 +99,7 @@ def newest_wear(predictions: SeriesTable) -> NewestWear:
 
 
 def wear_of(news: News, now: float) -> list[FreeValue]:
-    """Return what is known of the wear of the test that is shown; the date while it goes on."""
+    """Return the tiles of the wear of the test that is shown; with the date while it goes on."""
     status, rows = news.status, news.data.rows
     live = status is not None and status.engine.state is RunState.RUNNING and not news.is_replay
     rpm = _rpm(rows, live) if len(rows) else 0.0
@@ -122,7 +122,7 @@ def wear_values(
 ) -> list[FreeValue]:
     """Return the tiles of the wear coefficient and of the time that remains; none without it.
 
-    rpm: the present speed, by the clock on the wall; now: the host's time, None where the test does
+    rpm: the present speed, by the wall clock; now: the host's time, None where the test does
     not go on; revolution: the present one, from which the remaining ones count down.
     """
     newest = newest_wear(predictions)
@@ -143,7 +143,7 @@ def wear_values(
 
 
 def _remaining(left: float, soon: float, late: float, rpm: float, now: float | None) -> FreeValue:
-    """Return the tile of the time that remains, in revolutions while the crank stands."""
+    """Return the tile of the remaining time, in revolutions while the crank is stationary."""
     title = tr("Until the final wear depth")
     latest = grouped(round(late)) if math.isfinite(late) else tr("beyond the model")
     turns = tr("{} to {} revolutions (95 %)", grouped(round(soon)), latest)
@@ -158,7 +158,7 @@ def _remaining(left: float, soon: float, late: float, rpm: float, now: float | N
 
 @dataclass(frozen=True, slots=True, eq=False)
 class WearBand:
-    """Hold the band predicted after a revolution, (n,) each: revolutions and um."""
+    """The band predicted after a revolution, (n,) each: revolutions and um."""
 
     after: int
     revolution: Floats
@@ -169,7 +169,7 @@ class WearBand:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KnownWear:
-    """Hold what ``rigapp identify`` says of a test.
+    """The result of ``rigapp identify`` for a test.
 
     after: the revolution that it was known after, 0 where nothing is; planned: the last one;
     bands: the early one first, the last one last; readings: revolution and depth (um) of the bins;
@@ -189,7 +189,7 @@ Run = Callable[[list[str]], str]
 
 
 def run_identify(arguments: list[str]) -> str:
-    """Return what ``rigapp identify`` prints; raise OSError with its sentence when it fails."""
+    """Return the output of ``rigapp identify``; raise OSError with its sentence when it fails."""
     done = subprocess.run(
         module_command("rigapp", "identify", *arguments),
         capture_output=True,
@@ -203,19 +203,19 @@ def run_identify(arguments: list[str]) -> str:
 
 
 def known_wear(path: Path, after: int, run: Run = run_identify) -> KnownWear:
-    """Return what is known of the wear of a test after a revolution; runs on a worker thread."""
+    """Return the result for a test after a revolution; runs on a worker thread."""
     return of_tree(json.loads(run([str(path), "--json", "--after", str(after)]))["tests"][0])
 
 
 def of_tree(tree: Mapping[str, Any]) -> KnownWear:
-    """Return what the JSON of one test says."""
+    """Return the result in the JSON of one test."""
     parts = tree.get("sentence_parts")  # the sentence for other languages
-    said = sentence_of_parts(parts) if parts else tree["sentence"]
+    sentence = sentence_of_parts(parts) if parts else tree["sentence"]
     if tree["refused"]:
-        return KnownWear(said)
+        return KnownWear(sentence)
     left = tree["remaining_revolutions"]
     return KnownWear(
-        said,
+        sentence,
         tree["revolution"],
         tree["planned_revolutions"],
         tuple(
@@ -239,31 +239,31 @@ NOTHING = KnownWear("")
 REST_S = 3.0
 """Between two computations: at the highest speed of a simulated rig bins come faster than that."""
 Read = Callable[[Path, int], KnownWear]
-"""Compute what is known of a test after a revolution, on a worker thread."""
+"""Computes the result for a test after a revolution, on a worker thread."""
 
 
 class WearReader:
-    """Have what is known of a test's wear computed, one at a time for all who show it."""
+    """Compute the known wear of a test, one computation at a time for all panels."""
 
     def __init__(self, worker: TaskWorker, read: Read = known_wear) -> None:
         self._worker, self._reader = worker, read
-        self.known, self.said = NOTHING, ""
+        self.known, self.sentence = NOTHING, ""
         self._read: tuple[Path | None, float] = (None, math.nan)
         self._busy = False
         self._done_at = -math.inf
 
     def look(self, news: News, rest_s: float = REST_S) -> None:
-        """Compute again where the columns say something new, rest_s after the last time."""
+        """Compute again where the columns have a new statement, rest_s after the last time."""
         path, rows = news.path, news.data.predictions.revolutions
         if self._read[0] != path:
-            self.known, self.said, self._read = NOTHING, "", (path, math.nan)
+            self.known, self.sentence, self._read = NOTHING, "", (path, math.nan)
             self._done_at = -math.inf
         if path is None or not len(rows) or self._busy:
             return
         if time.monotonic() < self._done_at + rest_s:
             return
         revolution = newest_wear(news.data.predictions).revolution
-        # Why nothing is known yet changes with the number of revolutions: look at each doubling.
+        # The reason for an unknown wear changes with the revolutions: compute at each doubling.
         wanted = (path, revolution if math.isfinite(revolution) else -math.log2(len(rows)) // 1.0)
         if wanted == self._read:
             return
@@ -279,4 +279,4 @@ class WearReader:
         self._done_at = time.monotonic()
         if self._read[0] == wanted[0]:
             self._read, self.known = wanted, known
-            self.said = translate(known.sentence)
+            self.sentence = translate(known.sentence)

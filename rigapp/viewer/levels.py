@@ -1,7 +1,7 @@
 """The limits of a test as sentences: one level of a rule each, and the rules that they make.
 
-A rule of the file has up to four levels on one quantity; who reads it wants to know for each of
-them what happens when what is above how much for how long.
+A rule of the file has up to four levels on one quantity; a sentence for each says the action, the
+quantity, the level and the delay.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ ACTIONS: Final[dict[tuple[str, str], Text]] = {
     ("critical", "stop"): "Stop",
     ("critical", "drive_off"): "Switch the drive off",
 }
-"""What is offered to happen, with the severity of its alarm."""
+"""The actions to choose from, with the severity of their alarms."""
 
 OTHER_ACTIONS: Final[dict[tuple[str, str], Text]] = {
     ("critical", "warn"): "Warn, critical",
@@ -39,7 +39,7 @@ OTHER_ACTIONS: Final[dict[tuple[str, str], Text]] = {
     ("warning", "none"): "Do nothing",
     ("critical", "none"): "Do nothing, critical",
 }
-"""What a file may say all the same; shown where it does."""
+"""Further actions that a file may have; shown where it does."""
 
 _STATISTICS: Final[dict[str, Text]] = {
     "angle_of_max": "angle of the maximum of {}",
@@ -59,7 +59,7 @@ _OTHERS: Final[dict[str, Text]] = {
     "wear_depth": "wear depth of the model",
     "driven_wear_depth": "wear depth of the model by the measured force",
 }
-"""What words alone would not tell."""
+"""Explanations beyond the words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class LimitLevel:
     """One level of a rule.
 
     origin: number of the rule that it belongs to. severity: "warning" or "critical". side: "above"
-    or "below". value: None where none is given yet. hysteresis: how far back it ends. steps: of
+    or "below". value: None where none is set yet. hysteresis: how far back it ends. steps: of
     the test, in which it is judged; all of them without any.
     """
 
@@ -87,7 +87,7 @@ class LimitLevel:
         return f"{self.severity}_{self.side}"
 
     def condition(self, table: ChannelTable) -> str:
-        """Return what happens when, without the value: Warn when maximum |F| is above."""
+        """Return action and quantity, without the value: Warn when maximum |F| is above."""
         action = tr({**ACTIONS, **OTHER_ACTIONS}[self.severity, self.action])
         quantity = quantity_text(self.quantity, table)
         if self.side == "below":
@@ -95,9 +95,9 @@ class LimitLevel:
         return tr("{} when {} is above", action, quantity)
 
     def sentence(self, table: ChannelTable) -> str:
-        """Return it as one reads it: Warn when maximum |F| is above 95 N in 3 revolutions."""
-        many = self.revolutions != 1
-        times = tr("{} revolutions", self.revolutions) if many else tr("1 revolution")
+        """Return the sentence: Warn when maximum |F| is above 95 N in 3 revolutions."""
+        several = self.revolutions != 1
+        times = tr("{} revolutions", self.revolutions) if several else tr("1 revolution")
         value = f"{_shown(self.value)} {unit_of_quantity(self.quantity, table)}".rstrip()
         back = tr(", ends {} inside", _shown(self.hysteresis)) if self.hysteresis else ""
         within = tr(", in step {}", listed(self.steps)) if self.steps else ""
@@ -105,7 +105,7 @@ class LimitLevel:
 
 
 def listed(steps: Sequence[int]) -> str:
-    """Return the numbers of steps as one reads them."""
+    """Return the numbers of steps as words."""
     return ", ".join(map(str, steps))
 
 
@@ -114,7 +114,7 @@ def _shown(value: Any) -> str:
 
 
 def quantity_text(column: str, table: ChannelTable = BASE) -> str:
-    """Return what a limit is about, in words."""
+    """Return the quantity of a limit, in words."""
     if column in _OTHERS:
         return tr(_OTHERS[column])
     for ending, text in _STATISTICS.items():
@@ -130,13 +130,13 @@ def quantity_text(column: str, table: ChannelTable = BASE) -> str:
 
 
 def margin_words(name: str) -> str:
-    """Return the name of a limit in words: its quantity, how bad passing it is, its side."""
+    """Return the name of a limit in words: its quantity, severity and side."""
     quantity, _, rest = name.partition(" ")
     return " ".join((quantity_text(quantity), *map(tr, rest.split())))
 
 
 def quantity_choices(table: ChannelTable) -> list[tuple[str, str]]:
-    """Return words and column of what a limit can be about, the force first."""
+    """Return words and column of the quantities of limits, the force first."""
     known = [*dict.fromkeys((*table.units, *quantities(table)))]
     offered = [name for name in known if name in quantities(table)]
     offered.sort(key=lambda name: not name.startswith(f"{SIZE}_m") and name != f"{SIZE}_rms")
@@ -172,12 +172,12 @@ def _of_rule(origin: int, rule: Mapping[str, Any]) -> Iterator[LimitLevel]:
 
 
 def rules_of(
-    levels: Sequence[LimitLevel], given: Sequence[Mapping[str, Any]]
+    levels: Sequence[LimitLevel], original: Sequence[Mapping[str, Any]]
 ) -> tuple[list[dict[str, Any]], list[list[int]]]:
-    """Return the rules that levels make, and the places of each one's levels.
+    """Return the rules of levels, and the indices of each one's levels.
 
-    given: the rules of the file, whose keys stay as they are written where they mean the same. A
-    level that no longer fits the rule it came from makes one of its own, at the end.
+    original: the rules of the file, whose keys stay as written where they mean the same. A level
+    that does not fit its rule any more makes one of its own, at the end.
     """
     rules: list[dict[str, Any]] = []
     places: list[list[int]] = []
@@ -187,47 +187,47 @@ def rules_of(
     )
     for at in order:
         level = levels[at]
-        fitting = (number for number, mine in enumerate(places) if _fits(levels, mine, level))
+        fitting = (number for number, indices in enumerate(places) if _fits(levels, indices, level))
         number = next(fitting, None)
         if number is None:
             number = len(rules)
-            own = at == firsts[level.origin] and 0 <= level.origin < len(given)
-            rules.append(_begun(level, given[level.origin] if own else {}))
+            own = at == firsts[level.origin] and 0 <= level.origin < len(original)
+            rules.append(_begun(level, original[level.origin] if own else {}))
             places.append([])
         places[number].append(at)
         _write(rules[number], level)
     return rules, places
 
 
-def _fits(levels: Sequence[LimitLevel], mine: Sequence[int], level: LimitLevel) -> bool:
-    """Tell whether a level can be one of a rule that has some already."""
-    others = [levels[at] for at in mine]
+def _fits(levels: Sequence[LimitLevel], indices: Sequence[int], level: LimitLevel) -> bool:
+    """Return whether a level can be one of a rule that has some already."""
+    others = [levels[at] for at in indices]
     first = others[0]
     same = (first.origin, first.quantity, first.revolutions, first.hysteresis, first.steps)
-    mine_too = (level.origin, level.quantity, level.revolutions, level.hysteresis, level.steps)
-    return same == mine_too and not any(
+    wanted = (level.origin, level.quantity, level.revolutions, level.hysteresis, level.steps)
+    return same == wanted and not any(
         other.bound == level.bound
         or (other.severity == level.severity and other.action != level.action)
         for other in others
     )
 
 
-def _begun(level: LimitLevel, given: Mapping[str, Any]) -> dict[str, Any]:
+def _begun(level: LimitLevel, original: Mapping[str, Any]) -> dict[str, Any]:
     """Return a rule without levels, the rest of it as the file has it."""
-    gone = {*BOUNDS} | {
-        f"action_{name}" for name in DEFAULT_ACTIONS if any(b.startswith(name) for b in given)
+    left_out = {*BOUNDS} | {
+        f"action_{name}" for name in DEFAULT_ACTIONS if any(b.startswith(name) for b in original)
     }
-    rule = {"quantity": level.quantity, **{k: v for k, v in given.items() if k not in gone}}
+    rule = {"quantity": level.quantity, **{k: v for k, v in original.items() if k not in left_out}}
     rule["quantity"] = level.quantity
-    if level.hysteresis != given.get("hysteresis", 0.0):
+    if level.hysteresis != original.get("hysteresis", 0.0):
         rule["hysteresis"] = level.hysteresis
-    if level.revolutions != given.get("delay_revolutions", 1):
+    if level.revolutions != original.get("delay_revolutions", 1):
         rule["delay_revolutions"] = level.revolutions
-    if level.steps != tuple(given.get("steps", ())):
+    if level.steps != tuple(original.get("steps", ())):
         rule["steps"] = list(level.steps)
     for severity, default in DEFAULT_ACTIONS.items():
         key = f"action_{severity}"
-        if key in gone and given.get(key) == default:
+        if key in left_out and original.get(key) == default:
             rule[key] = default
     return rule
 
@@ -241,7 +241,7 @@ def _write(rule: dict[str, Any], level: LimitLevel) -> None:
 
 
 def faults_of(rule: Mapping[str, Any], table: ChannelTable | None) -> list[str]:
-    """Return what is wrong with a rule, as sentences under its limit."""
+    """Return the faults of a rule, as sentences under its limit."""
     try:
         record = msgspec.convert(rule, LimitRule)
     except msgspec.ValidationError as error:

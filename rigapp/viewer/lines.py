@@ -12,17 +12,17 @@ from rigapp.viewer.series import SeriesTable
 
 Floats = NDArray[np.float64]
 View = tuple[float, float]
-"""The first and the last revolution that are seen."""
+"""The first and the last visible revolution."""
 
 QUALITY = "quality"
 EVERYTHING: View = (-np.inf, np.inf)
 LOOKED_BACK = 5
-"""Revolutions in which a good one is looked for: an older value is none of now."""
+"""Revolutions searched for one without a flag: an older value is not current."""
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """The points of a line, (n,) each, and what an axis is to follow of them.
+    """The points of a line, (n,) each, and the range for its axis.
 
     low, high: NaN where nothing is known. above, under: revolution and value of the largest and
     the smallest flagged one beyond them, where there is one.
@@ -37,18 +37,18 @@ class Drawn:
 
 
 class Flagged:
-    """Tell which buckets of a view hold a flagged revolution; computed once for all its lines."""
+    """The buckets of a view with a flagged revolution; computed once for all its lines."""
 
     def __init__(self, rows: SeriesTable, view: View, buckets: int) -> None:
         self._starts: Floats = np.empty(0)
         if QUALITY in rows.names and len(rows):
             flags = rows.series(QUALITY).envelope(*rows_in_view(rows, view), buckets)
             self._starts = rows.revolutions[flags.first]
-            # Not known (NaN) is not flagged: files of before have no such column.
+            # Not known (NaN) is not flagged: older files have no such column.
             self._flagged = flags.high > 0.0
 
     def at(self, revolutions: Floats) -> NDArray[np.bool_]:
-        """Tell of buckets that begin at revolutions, (n,) each, and end before the next one."""
+        """Return which buckets, (n,), that begin at these revolutions have a flag."""
         if not len(self._starts) or not self._flagged.any():
             return np.zeros(len(revolutions), dtype=bool)
         if np.array_equal(revolutions, self._starts):
@@ -66,7 +66,7 @@ def drawn(
 ) -> Drawn:
     """Return ``scale`` times a series in a view, in at most about ``buckets`` buckets.
 
-    A bucket with a flagged revolution does not range the axis, unless every bucket has one.
+    A bucket with a flagged revolution does not count for the axis, unless every bucket has one.
     """
     start, stop = rows_in_view(table, view)
     envelope = table.series(column).envelope(start, stop, buckets)

@@ -1,4 +1,4 @@
-"""How near the newest revolution came to each limit of the test, as plain values."""
+"""The margins of the newest revolution to each limit of the test, as plain values."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ ACTIONS: Final[dict[str, Text]] = {
     "drive_off": DRIVE_OFF,
     "none": "do nothing",
 }
-"""What a rule of the test does, in the words of a limit."""
+"""The actions of a rule, in the words of a limit."""
 
 
 OVERLOADS: Final = {"overload": "", "overload:beyond_range": "≥ "}
-"""Alarms of a force, and what stands before its value."""
+"""Alarms of a force, and the sign before its value."""
 
 
 @dataclass(frozen=True, slots=True)
 class WatchedLimit:
     """A limit of a column of rows or predictions, in ``unit``, which is ``scale`` of the column's.
 
-    below: it is passed downwards. action: what happens then. key: of its alarm, none where it ends
+    below: it is passed downwards. action: when it is passed. key: of its alarm, none where it ends
     a test as planned.
     """
 
@@ -56,7 +56,7 @@ class WatchedLimit:
 
     @property
     def words(self) -> str:
-        """Return what happens where, e.g. ``warn above 95 N``."""
+        """Return action and level, e.g. ``warn above 95 N``."""
         limit, action = f"{self.limit:.4g} {self.unit}".rstrip(), tr(self.action)
         if self.below:
             return tr("{} below {}", action, limit)
@@ -68,7 +68,7 @@ class WatchedLimit:
 class Margin:
     """A quantity, in the unit of its limit, beside it; level: by the alarms about the quantity.
 
-    sign: what stands before the value.
+    sign: before the value.
     """
 
     limit: WatchedLimit
@@ -78,13 +78,13 @@ class Margin:
 
     @property
     def passed(self) -> bool:
-        """Tell whether the limit is passed."""
+        """Return whether the limit is passed."""
         limit = self.limit
         return self.value < limit.limit if limit.below else self.value > limit.limit
 
     @property
     def used(self) -> float:
-        """Return how much of the way to the limit is used, 0 .. 1; 1 at the limit and beyond."""
+        """Return the used share of the limit, 0 .. 1; 1 at the limit and beyond."""
         if self.passed:
             return 1.0
         limit = self.limit
@@ -93,16 +93,16 @@ class Margin:
 
     @property
     def text(self) -> str:
-        """Return value, limit and what happens, e.g. ``87.1 of 95 N, warn``."""
+        """Return value, limit and action, e.g. ``87.1 of 95 N, warn``."""
         limit, action = f"{self.limit.limit:.4g} {self.limit.unit}".rstrip(), tr(self.limit.action)
-        said = tr("{} at least {}, {}") if self.limit.below else tr("{} of {}, {}")
-        return said.format(f"{self.sign}{self.value:.4g}", limit, action)
+        text = tr("{} at least {}, {}") if self.limit.below else tr("{} of {}, {}")
+        return text.format(f"{self.sign}{self.value:.4g}", limit, action)
 
     @property
     def left(self) -> str:
-        """Return the limit by its words and what is left to it, e.g. ``warn above 95 N, 8 % left``.
+        """Return the limit in words and the rest to it, e.g. ``warn above 95 N, 8 % left``.
 
-        It is what the bar leaves free, so that words and bar say the same.
+        It is the free part of the bar, so that words and bar agree.
         """
         if self.passed:
             return tr("{}, passed", self.limit.words)
@@ -119,7 +119,7 @@ def margins(news: News) -> list[Margin]:
     """Return the limits that the newest revolution can be judged by, in the order of the test.
 
     The largest |F| is that of a trip where it is larger: its revolution is unfinished.
-    Of two levels on one side the next one is told: the critical one when the other is passed.
+    Of two levels on one side the next one is returned: the critical one when the other is passed.
     """
     result: dict[tuple[str, bool], Margin] = {}
     alarms = news.status.alarms if news.status is not None else ()
@@ -140,7 +140,7 @@ def nearest_margin(news: News, column: str) -> Margin | None:
 
 
 def watched(news: News) -> list[WatchedLimit]:
-    """Return every limit of the test as it is now, a warning before what is worse."""
+    """Return every present limit of the test, warnings before critical ones."""
     test = news.recipe
     if test is None:
         return []
@@ -167,9 +167,9 @@ def watched(news: News) -> list[WatchedLimit]:
 
 
 def newest_force(news: News) -> tuple[float, str]:
-    """Return the largest |F| of the newest revolution, or of the trip, and what stands before it.
+    """Return the largest |F| of the newest revolution, or of the trip, and the sign before it.
 
-    The alarm is there at once, the revolution of the trip when the file is finished.
+    The alarm comes at once, the revolution of the trip when the file is finished.
     """
     result = [(news.data.rows.last(LARGEST), "")]
     alarms = news.status.alarms if news.status is not None else ()

@@ -1,4 +1,4 @@
-"""Moments of a test that stand at its trends: notes, steps, and alarms when they were raised."""
+"""Moments of a test that are marked in its trends: notes, steps, and raised alarms."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import Event, Severity
 
 MOST = 200
-"""Moments that are kept: more lines than this, and none can be told from the next."""
+"""Moments that are kept: more lines than this cannot be distinguished."""
 
 
 @dataclass(frozen=True, slots=True)
 class MarkedMoment:
-    """What happened at a revolution; severity: of an alarm, None of a note."""
+    """An event at a revolution; severity: of an alarm, None of a note."""
 
     revolution: int
     words: str
@@ -22,7 +22,7 @@ class MarkedMoment:
 
 
 def moments(events: Iterable[Event]) -> tuple[MarkedMoment, ...]:
-    """Return the newest moments of a log, in its order; an alarm that comes again counts once."""
+    """Return the newest moments of a log, in its order; a recurring alarm counts once."""
     result: dict[tuple[int, str], MarkedMoment] = {}
     for event in events:
         change = alarm_change(event)

@@ -1,4 +1,4 @@
-"""What the window knows at one moment, as every panel is told it."""
+"""The data of the window at one moment, for every panel."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ STALE_PREDICTION_S = 5.0
 
 
 class Takes(enum.Flag):
-    """What of the news a panel takes, and so when it is told them.
+    """The parts of the news that a panel takes, and so its updates.
 
-    STATUS: every status, seen or not. REVOLUTION: the newest revolution, at every look for news
-    while it can be seen. HISTORY: all else, twice a second while it can be seen. LOG: the test's
-    log too, which is read while somebody takes it.
+    STATUS: every status, visible or not. REVOLUTION: the newest revolution, at every update while
+    the panel is visible. HISTORY: all else, twice a second while it is visible. LOG: the test's log
+    too, which is read while a panel takes it.
     """
 
     STATUS = enum.auto()
@@ -34,9 +34,9 @@ class Takes(enum.Flag):
 class News:
     """The newest of everything.
 
-    status: None before the engine's first word. data: statistics, predictions and curves of the
-    test that is shown; recipe, path, events: its test file, its file and its log; log_problem: what
-    hinders reading it. silence_s: since the engine's last word. data_age_s: of the newest sample.
+    status: None before the engine's first message. data: statistics, predictions and curves of the
+    test that is shown; recipe, path, events: its test file, its file and its log; log_problem: why
+    that cannot be read. silence_s: since the last message. data_age_s: of the newest sample.
     trip: the revolution in which the test tripped, from its file.
     """
 
@@ -61,17 +61,17 @@ class News:
 
     @property
     def stale(self) -> bool:
-        """Tell whether the prediction has fallen behind a running test."""
+        """Return whether the prediction has fallen behind a running test."""
         return self.status is not None and is_stale(self.status)
 
 
 def tripped(status: Status) -> bool:
-    """Tell whether a critical alarm stands: then the plots show what happened."""
+    """Return whether a critical alarm holds: then the plots show the trip."""
     return any(alarm.severity is Severity.CRITICAL for alarm in status.alarms)
 
 
 def is_stale(status: Status) -> bool:
-    """Tell whether the prediction has fallen behind a running test."""
+    """Return whether the prediction has fallen behind a running test."""
     test = status.test or NO_TEST
     age_s = test.twin_age_s
     return (

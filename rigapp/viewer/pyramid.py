@@ -14,25 +14,25 @@ FACTOR = 16
 """Rows of one level that make one row of the next."""
 
 ALL = 16
-"""Levels: more rows than these make have room in no memory."""
+"""Levels: more rows than these cover fit in no memory."""
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
 
 
 KEPT = 1 << 16
-"""Newest rows, and newest buckets of 16, that are held as they are; older ones in 256 and more."""
+"""Newest rows, and newest buckets of 16, that are held; older ones in buckets of 256 and more."""
 ALWAYS_HELD = 2
 """From this level on everything is held: 73 columns of 10^7 rows in 256 need 23 MB."""
 
 Fetch = Callable[[int, int], NDArray[np.floating]]
-"""Return rows start .. stop of a series from where all of them are, its file."""
+"""Returns rows start .. stop of a series from its file."""
 
 
 class GrowingArray:
-    """Hold the end of a growing one-dimensional array; places count from its beginning.
+    """The end of a growing one-dimensional array; indices count from its beginning.
 
-    It grows without a copy at every append. Capacity is asked for ahead of time (the planned length
+    It grows without a copy at every append. Capacity is allocated ahead of time (the planned length
     of the test): untouched memory costs nothing.
     """
 
@@ -46,11 +46,11 @@ class GrowingArray:
 
     @property
     def values(self) -> NDArray[np.floating]:
-        """Return what is held (a view)."""
+        """Return the held values (a view)."""
         return self._data[: self._size - self.origin]
 
     def part(self, start: int, stop: int) -> NDArray[np.floating]:
-        """Return places start .. stop, which are held (a view)."""
+        """Return values start .. stop, which are held (a view)."""
         return self._data[max(start - self.origin, 0) : max(min(stop, self._size) - self.origin, 0)]
 
     def write(self, start: int, values: NDArray[np.floating]) -> None:
@@ -65,7 +65,7 @@ class GrowingArray:
         self._size = max(self._size, start + len(values))
 
     def forget(self, before: int) -> None:
-        """Let go of what lies before a place."""
+        """Drop the values before an index."""
         rest = self._data[before - self.origin : self._size - self.origin].copy()
         self._data[: len(rest)] = rest
         self.origin = before
@@ -73,7 +73,7 @@ class GrowingArray:
 
 @dataclass(frozen=True, slots=True)
 class Envelope:
-    """Carry what is to be drawn: per bucket the index of its first row, minimum and maximum."""
+    """The points to draw: per bucket the index of its first row, minimum and maximum."""
 
     first: NDArray[np.int64]
     low: Singles
@@ -81,7 +81,7 @@ class Envelope:
 
 
 class Pyramid:
-    """Keep the newest rows of a series, and minima and maxima per 16, 256, 4096 ... rows.
+    """The newest rows of a series, and minima and maxima per 16, 256, 4096 ... rows.
 
     NaN means "not known" and is ignored unless a whole bucket is unknown. Its memory hardly grows
     with its length: rows older than ``kept`` are held in buckets alone, and come from ``fetch``
@@ -103,11 +103,11 @@ class Pyramid:
 
     @property
     def values(self) -> Singles:
-        """Return every value; of a long series that is more than a screen should ask for."""
+        """Return every value; too many for a screen in a long series."""
         return self.rows(0, len(self))
 
     def rows(self, start: int, stop: int) -> Singles:
-        """Return rows start .. stop (a view where they are held), NaN where nobody has them."""
+        """Return rows start .. stop (a view where they are held), NaN where they are not kept."""
         start, stop = max(start, 0), min(stop, len(self))
         if start >= self._base.origin:
             return self._base.part(start, stop)
@@ -117,7 +117,7 @@ class Pyramid:
         return np.concatenate([np.full(stop - start - len(held), np.nan, np.float32), held])
 
     def extend(self, values: NDArray[np.floating]) -> None:
-        """Append values; the levels follow when they are looked at."""
+        """Append values; the levels are updated when they are used."""
         for first in range(0, len(values), self._kept):
             self.write(len(self._base), values[first : first + self._kept])
             if len(self._base) - self._base.origin > 3 * self._kept:
@@ -130,7 +130,7 @@ class Pyramid:
             self._settled = [min(row, start) for row in self._settled]
 
     def _forget(self) -> None:
-        """Let go of old rows and fine buckets; a coarse one is made of them before."""
+        """Drop old rows and fine buckets, after coarse ones are made of them."""
         self.settle()
         fine = ALWAYS_HELD - 1
         for array in (self._base, *self._low[:fine], *self._high[:fine]):
@@ -183,7 +183,7 @@ class Pyramid:
             if self.fetch is not None:
                 first_row, end = start // size * size, min(-(-stop // step) * step, len(self))
                 return self._from_rows(self.rows(first_row, end), first_row, size)
-            size = step * FACTOR  # nobody has them any more: as fine as they are held
+            size = step * FACTOR  # not available any more: as fine as they are held
         end = -(-stop // step)
         lowest = _reduce(np.fmin, low.part(begin, end), ratio)
         highest = _reduce(np.fmax, high.part(begin, end), ratio)

@@ -1,4 +1,4 @@
-"""What a trend and a comparison can show: every channel's statistics, and the twin's answers."""
+"""The quantities of trends and comparisons: statistics of every channel, and predictions."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ STATISTICS: Final[dict[str, tuple[Text, str]]] = {
 """The statistics of a channel that are drawn: their words, and the role of their colour."""
 
 COMPARED = {**{name: text for name, (text, _) in STATISTICS.items()}, "mean": marked("mean")}
-"""The statistics that tests are compared by."""
+"""The statistics for comparing tests."""
 
 UM_PER_MM = 1e3
 LARGEST = f"{SIZE}_max"
@@ -49,14 +49,14 @@ class TrendLine:
     doubt: str = ""
     age: str = ""
 
-    def said(self) -> TrendLine:
+    def translated(self) -> TrendLine:
         """Return it in the language of the window."""
         return replace(self, text=tr(self.text))
 
 
 @dataclass(frozen=True, slots=True)
 class TrendQuantity:
-    """What a trend can show: measured and predicted lines of one unit, scale times their columns.
+    """A quantity of a trend: measured and predicted lines of one unit, scale times their columns.
 
     measured are columns of rows, predicted of predictions.
     """
@@ -73,10 +73,10 @@ class TrendQuantity:
         """Return the unit of its values, as the window writes it."""
         return self.axis.rpartition("(")[2].rstrip(")") if "(" in self.axis else ""
 
-    def said(self) -> TrendQuantity:
+    def translated(self) -> TrendQuantity:
         """Return it in the language of the window."""
         measured, predicted = (
-            tuple(line.said() for line in lines) for lines in (self.measured, self.predicted)
+            tuple(line.translated() for line in lines) for lines in (self.measured, self.predicted)
         )
         return replace(
             self, title=tr(self.title), axis=tr(self.axis), measured=measured, predicted=predicted
@@ -119,16 +119,16 @@ _OTHERS = {
         ),
     ),
 }
-"""What is no channel of its own."""
+"""Quantities that are no channels."""
 
 
 def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
-    """Return what a trend can show of the channels of a table, and all else, by name.
+    """Return the quantities of a trend, those of a table's channels and all others, by name.
 
     It is in the language of the window, so that nothing is translated when it is drawn.
     """
     force = _of_channel(BASE[SIZE])
-    # The largest force alone: on an axis with the smallest its changes are not seen.
+    # The largest force alone: on an axis with the smallest its changes are invisible.
     largest = replace(
         force,
         title=tr("{} maximum", force.title),
@@ -136,11 +136,11 @@ def trend_quantities(table: ChannelTable) -> dict[str, TrendQuantity]:
         predicted=force.predicted[:1],
     )
     result = {channel.name: _of_channel(channel) for channel in _ordered(table)}
-    return {name: q.said() for name, q in {**result, LARGEST: largest, **_OTHERS}.items()}
+    return {name: q.translated() for name, q in {**result, LARGEST: largest, **_OTHERS}.items()}
 
 
 def _ordered(table: ChannelTable) -> list[Channel]:
-    """Return the channels, the derived size of the force first: it is looked at most."""
+    """Return the channels, the derived size of the force first: it is viewed most."""
     return sorted(table.channels, key=lambda c: (not c.instrument, c.kind is not _DERIVED))
 
 
@@ -161,13 +161,13 @@ def _of_channel(channel: Channel) -> TrendQuantity:
         )
     predicted: tuple[TrendLine, ...] = ()
     if lines[0].column in _PREDICTED:
-        # The uncertainty that is kept is the largest of a revolution.
+        # The stored uncertainty is the largest of a revolution.
         predicted = (replace(lines[0], doubt="force_uncertainty"), *lines[1:])
     return TrendQuantity(title_of(channel), axis_of(channel), span_of(channel), lines, predicted)
 
 
 def compared_columns(table: ChannelTable) -> dict[str, str]:
-    """Return the columns that tests can be compared by, each with its words and unit."""
+    """Return the columns for comparing tests, each with its words and unit."""
     result: dict[str, str] = {}
     for channel in _ordered(table):
         title, unit = title_of(channel), unit_text(channel.unit)
@@ -176,7 +176,7 @@ def compared_columns(table: ChannelTable) -> dict[str, str]:
         for name, word in names.items():
             column = f"{channel.name}_{name}".rstrip("_")
             result[column] = f"{title}, {tr(word)} ({unit})" if word else f"{title} ({unit})"
-    for quantity in (item.said() for item in _OTHERS.values()):
+    for quantity in (item.translated() for item in _OTHERS.values()):
         for line in (*quantity.measured, *quantity.predicted):
             result[line.column] = f"{quantity.title}, {line.text} ({quantity.unit})"
     return result
@@ -208,7 +208,7 @@ def grouped_quantities(names: Iterable[str], table: ChannelTable) -> list[tuple[
 
 
 def scale_of(column: str) -> float:
-    """Return what the values of a column are multiplied by to be in the unit of its words."""
+    """Return the factor from a column's unit to that of its words."""
     for quantity in _OTHERS.values():
         if any(line.column == column for line in quantity.predicted):
             return quantity.scale

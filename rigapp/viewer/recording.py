@@ -1,7 +1,7 @@
 """Read a test file for drawing, on worker threads.
 
-Only single rows of a recorded test, and what lies finer than the levels that are held, come from
-its file on the screen's own thread: milliseconds at any length.
+Only single rows of a recorded test, and details finer than the held levels, come from its file on
+the screen's own thread: milliseconds at any length.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from rigapp.viewer.series import (
     shown_profile,
 )
 
-if TYPE_CHECKING:  # the window shall not load the library of files before it reads one
+if TYPE_CHECKING:  # the window must not load h5py before it reads a file
     from rigapp.storage import LargestForce, TestReader, TripCapture
 
 
@@ -44,7 +44,7 @@ log = logging.getLogger(__name__)
 
 @dataclass(frozen=True, slots=True)
 class StoredRevolution:
-    """Carry one whole revolution of a file, with the model's where it is saved."""
+    """One whole revolution of a file, with the model's where it is saved."""
 
     cycle: MeasuredCycle
     prediction: PredictedCycle | None
@@ -52,7 +52,7 @@ class StoredRevolution:
 
 @dataclass(frozen=True, slots=True)
 class TripCycles:
-    """Carry the revolution in which a test tripped, as far as it went.
+    """The revolution in which a test tripped, as far as it went.
 
     before: the last whole cycle saved before it; peak: its largest force. None where not known.
     """
@@ -65,7 +65,7 @@ class TripCycles:
 
 @dataclass(frozen=True, slots=True)
 class StoredTest:
-    """Carry what a file holds of a test at one moment.
+    """The content of a test's file at one moment.
 
     recipe: None when the test file inside cannot be read. newest: the newest saved cycle, None
     while there is none.
@@ -77,10 +77,10 @@ class StoredTest:
 
 
 class RecordedTable(SeriesTable):
-    """Show the first rows of a stream of a file; what is looked at is read on a worker thread.
+    """The first rows of a stream of a file; series in use are read on a worker thread.
 
-    A series that has not been read yet is empty and among ``wanted``. Single rows and what lies
-    finer than the held levels come from the file at once: a few milliseconds at any length.
+    A series that has not been read yet is empty and among ``wanted``. Single rows and details finer
+    than the held levels come from the file at once: a few milliseconds at any length.
     """
 
     def __init__(self, reader: TestReader, stream: str, columns: tuple[str, ...]) -> None:
@@ -160,14 +160,14 @@ class RecordedTable(SeriesTable):
 
 
 class RecordedData(LiveData):
-    """Collect what a replay shows of a file; the panels only read."""
+    """The data of a replay from a file; the panels only read."""
 
     def __init__(self, reader: TestReader) -> None:
         """Take an open file; it is closed with ``close``."""
         super().__init__()
         self._reader = reader
         units = BASE.units | reader.column_units()
-        self.know(units)
+        self.set_columns(units)
         self.rows: RecordedTable = RecordedTable(reader, "revolutions", tuple(units))
         self.predictions: RecordedTable = RecordedTable(reader, "prediction", PREDICTED)
 
@@ -200,7 +200,7 @@ class RecordedData(LiveData):
 
 
 def load_history(path: Path, planned: int = 0, kept: int = KEPT) -> StoredTest:
-    """Return everything that a file holds of a test, with its levels of detail built.
+    """Return the whole content of a test's file, with its levels of detail built.
 
     kept: newest rows that stay as they are. Raises UnusableInput when the file is not a readable
     test.
@@ -225,7 +225,7 @@ def load_history(path: Path, planned: int = 0, kept: int = KEPT) -> StoredTest:
 
 
 def load_recording(path: Path, planned: int = 0) -> StoredTest:
-    """Return a recorded test for a replay: its columns are read when they are looked at.
+    """Return a recorded test for a replay: its columns are read when they are used.
 
     Raises UnusableInput when the file is not a readable test.
     """

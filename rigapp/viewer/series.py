@@ -1,4 +1,4 @@
-"""What the screen knows of one test: every revolution's statistics, predictions, newest cycle."""
+"""The data of one test on the screen: statistics of every revolution, predictions, newest cycle."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ def shown_profile(message: WornProfile) -> ShownProfile:
 
 
 KEPT_CYCLES = 8
-"""Newest whole cycles kept, so that a prediction that comes late still meets its own cycle."""
+"""Newest whole cycles kept, so that a late prediction still finds its own cycle."""
 
 UNFOLLOWED_SHARE = 0.05
-"""Of the predicted maximum: a smaller doubt about the speed is not worth a word."""
+"""Of the predicted maximum: a smaller uncertainty by the speed is not reported."""
 
 PREDICTED = tuple(column.name for column in prediction_columns())
 NOT_DRAWN = ("revolution", "samples", "lost_samples")
@@ -70,7 +70,7 @@ Loaded = tuple[dict[str, Pyramid], dict[str, Pyramid]]
 
 
 class SeriesTable:
-    """Hold columns that grow together, each with its levels of detail, against ``revolution``."""
+    """Columns that grow together, each with its levels of detail, against ``revolution``."""
 
     def __init__(self, columns: tuple[str, ...], capacity: int = 1 << 16, kept: int = KEPT) -> None:
         self._columns = columns
@@ -95,8 +95,8 @@ class SeriesTable:
         """Return one series; raise KeyError for an unknown name."""
         return self._series[name]
 
-    def know(self, columns: Sequence[str]) -> None:
-        """Take note of what a row holds from now on; a column that is new was not known before."""
+    def set_columns(self, columns: Sequence[str]) -> None:
+        """Set the columns of rows from now on; a new column is NaN before."""
         if tuple(columns) == self._columns:
             return
         self._columns = tuple(columns)
@@ -121,7 +121,7 @@ class SeriesTable:
 
     def load(self, columns: Mapping[str, NDArray[np.generic]]) -> None:
         """Append rows column by column, as a file holds them; a missing one is unknown (NaN)."""
-        self.know((*self._columns, *(name for name in columns if name not in self._columns)))
+        self.set_columns((*self._columns, *(name for name in columns if name not in self._columns)))
         revolutions = np.asarray(columns["revolution"], dtype=np.float64)
         self._x.extend(revolutions)
         for name, series in self._series.items():
@@ -133,7 +133,7 @@ class SeriesTable:
             )
 
     def settle(self) -> None:
-        """Build every level of detail now, so that nobody waits for it later."""
+        """Build every level of detail now, so that drawing does not wait for it."""
         for series in self._series.values():
             series.settle()
 
@@ -200,11 +200,11 @@ def predicted_cycle(message: Prediction) -> PredictedCycle:
 
 @dataclass(frozen=True, slots=True)
 class Doubt:
-    """How sure a predicted force is.
+    """The uncertainty of a predicted force.
 
     uncertainty_N: the largest expanded one (k = 2) of the revolution, NaN when unknown; unfollowed:
-    the speed changed faster than the prediction can follow. deviation: what explains that the rig
-    differs by more than tolerances allow, empty where it does not.
+    the speed changed faster than the prediction can follow. deviation: cause of a deviation beyond
+    the tolerances, empty without one.
     """
 
     uncertainty_N: float = math.nan
@@ -213,7 +213,7 @@ class Doubt:
 
 
 class LiveData:
-    """Collect snapshots into what the panels draw; the panels only read."""
+    """Collect snapshots into the data of the panels, which only read."""
 
     def __init__(self, planned: int = 0, kept: int = KEPT) -> None:
         capacity = max(1 << 16, planned + 1024)
@@ -230,13 +230,13 @@ class LiveData:
         self._row_names: tuple[str, ...] = BASE.names
 
     def take(self, snapshot: Snapshot) -> None:
-        """Take what a snapshot brings.
+        """Take a snapshot.
 
-        ``missing_from`` becomes the number of the first row that was never seen when rows are
+        ``missing_from`` becomes the number of the first missing row when rows are
         missing between the last snapshot and this one; the file has them.
         """
         rows = _matrix(snapshot.rows, len(snapshot.columns))
-        self.know(snapshot.columns)
+        self.set_columns(snapshot.columns)
         if len(rows):
             expected = self._next_row if self._next_row is not None else 0
             if snapshot.first_row > expected and self.missing_from is None:
@@ -257,10 +257,10 @@ class LiveData:
             self.profile = shown_profile(snapshot.profile)
 
     def show(self, count: int) -> None:
-        """Show the first ``count`` rows of a recorded test; live data has none to choose from."""
+        """Show the first ``count`` rows of a recorded test; live data ignores it."""
 
     def forget_newest(self) -> None:
-        """Forget the newest curves: a replay goes on from an earlier row."""
+        """Drop the newest curves: a replay goes on from an earlier row."""
         self.cycle, self.prediction, self.profile = None, None, None
         self._cycles.clear()
 
@@ -276,19 +276,19 @@ class LiveData:
         """Take columns that have been read."""
 
     def close(self) -> None:
-        """Let go of a file, where the data come from one."""
+        """Close the file, where the data come from one."""
 
     def expect(self, committed: int) -> None:
-        """Take note of how many rows the file has: what was never sent is missing too."""
+        """Set the number of rows in the file: rows that were never sent are missing too."""
         if committed > len(self.rows) and self.missing_from is None:
             self.missing_from = len(self.rows)
 
-    def know(self, units: Mapping[str, str]) -> None:
-        """Take note of what a row holds: name -> unit, in its order."""
+    def set_columns(self, units: Mapping[str, str]) -> None:
+        """Set the columns of a row: name -> unit, in its order."""
         if tuple(units) != self._row_names:
             self._row_names = tuple(units)
             self.channels = table_of(units)
-            self.rows.know(self._row_names)
+            self.rows.set_columns(self._row_names)
 
     def load_rows(
         self,
@@ -296,12 +296,12 @@ class LiveData:
         units: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         """Take the rows of a file and their units; the next live row is the one after them."""
-        self.know(BASE.units | dict(units))
+        self.set_columns(BASE.units | dict(units))
         self.rows.load(columns)
         self._next_row = len(self.rows)
 
     def doubt(self, revolution: int) -> Doubt:
-        """Return how sure the predicted force of a revolution is."""
+        """Return the uncertainty of the predicted force of a revolution."""
         row = self.predictions.revolutions.searchsorted(revolution)
         if row == len(self.predictions) or self.predictions.revolutions[row] != revolution:
             return Doubt()

@@ -1,4 +1,4 @@
-"""How a value is shown, in window and page alike: by the alarms about it, and by its age."""
+"""The display of a value, in window and page alike: by its alarms and its age."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from rigapp.viewer.channels import FreeValue, title_of, value_text
 from rigapp.viewer.news import News
 
 OLD_AFTER_S: Final = 2.0
-"""Devices send ten times a second or more; somebody may reach into the rig because of a value."""
+"""Devices send ten times a second or more; a person may reach into the rig because of a value."""
 
 
 class Level(enum.IntEnum):
-    """Tell how far a value is from normal; only what is not normal is coloured."""
+    """The distance of a value from normal; only abnormal values are coloured."""
 
     NORMAL = 0
     WARNING = 1
@@ -30,13 +30,13 @@ class Level(enum.IntEnum):
 
 
 MARKS: Final = {Level.NORMAL: "", Level.WARNING: "▲ ", Level.CRITICAL: "◆ "}
-"""The shape beside a value, so that nothing rests on colour alone."""
+"""The shape beside a value, so that nothing depends on colour alone."""
 
 _LEVELS: Final = {Severity.WARNING: Level.WARNING, Severity.CRITICAL: Level.CRITICAL}
 
 
 class Renewed(enum.Enum):
-    """Tell with what a value is renewed: each message of the engine, sample, and so on."""
+    """The source that renews a value: each message of the engine, sample, and so on."""
 
     STATUS = enum.auto()
     SAMPLE = enum.auto()
@@ -53,7 +53,7 @@ class Age:
 
     @property
     def old(self) -> bool:
-        """Tell whether a value of this age is shown as old."""
+        """Return whether a value of this age is shown as old."""
         return self.seconds is not None and self.seconds > OLD_AFTER_S + self.due_s
 
     @property
@@ -86,7 +86,7 @@ class Shown(Protocol):
 
     @property
     def old(self) -> bool:
-        """Tell whether it is shown as old."""
+        """Return whether it is shown as old."""
         ...
 
 
@@ -105,15 +105,15 @@ def age_of(news: News, renewed: Renewed) -> Age:
     test = status.test or NO_TEST
     seconds = test.revolution_age_s if renewed is Renewed.REVOLUTION else test.twin_age_s
     if seconds is None:
-        # Of an engine of before: a revolution is no newer than the samples.
+        # Of an older engine: a revolution is no newer than the samples.
         return Age(news.data_age_s)
-    # Of a silent engine nothing new is due.
+    # A silent engine renews nothing.
     due_s = _revolution_s(news) if news.silence_s <= OLD_AFTER_S else 0.0
     return Age(seconds + news.silence_s, due_s)
 
 
 def _revolution_s(news: News) -> float:
-    """Return the time of a revolution by the clock on the wall, 0 where none is under way."""
+    """Return the time of a revolution by the wall clock, 0 where none is under way."""
     status = news.status
     test = status.test if status is not None else None
     if status is None or status.engine.state not in ACTIVE or not test or test.target_rpm <= 0.0:
@@ -122,7 +122,7 @@ def _revolution_s(news: News) -> float:
 
 
 def aged(value: AnyShown, age: Age) -> AnyShown:
-    """Return a value as it is shown at an age: an old one says how old it is."""
+    """Return a value for display at an age: an old one shows its age."""
     if not age.old or value.value == "–":
         return value
     detail = f"{age.text}, {tr(value.detail)}" if value.detail else age.text
@@ -130,14 +130,14 @@ def aged(value: AnyShown, age: Age) -> AnyShown:
 
 
 def standing(alarms: Iterable[Alarm]) -> list[Alarm]:
-    """Return the alarms that colour what they are about: they hold, or wait for the reset."""
+    """Return the alarms that colour their quantity: they hold, or wait for the reset."""
     return [
         alarm for alarm in alarms if alarm.state in ("unacknowledged", "acknowledged", "latched")
     ]
 
 
 def level_of(alarms: Iterable[Alarm], *quantities: str) -> Level:
-    """Return the worst level of the alarms that stand about any of some quantities.
+    """Return the worst level of the present alarms about any of some quantities.
 
     quantities: columns or channels. An alarm about a channel is about all of its statistics.
     """
@@ -172,7 +172,7 @@ def free_values(news: News) -> list[FreeValue]:
             age = age.and_before(rows.last(f"{channel.name}_age") if slow else None)
         text, level = value_text(value, channel.unit), quantity_level(alarms, channel.name)
         shown = FreeValue(channel.name, title_of(channel), text, "", level)
-        # A slow one always says its age: its device sets the pace.
+        # A slow one always shows its age: its device sets the pace.
         if slow:
             result.append(replace(shown, detail=age.text, short=age.text, old=age.old))
         else:
@@ -186,7 +186,7 @@ def quantity_level(alarms: Iterable[Alarm], channel: str) -> Level:
 
 
 def level_of_limit(alarms: Iterable[Alarm], key: str) -> Level:
-    """Return the level of the alarm of one limit, by its key; more may be said behind a colon."""
+    """Return the level of the alarm of one limit, by its key or its part before a colon."""
     return max(
         (_LEVELS[a.severity] for a in standing(alarms) if f"{a.key}:".startswith(f"{key}:")),
         default=Level.NORMAL,

@@ -29,12 +29,12 @@ from rigapp.viewer.tasks import TaskWorker
 log = logging.getLogger(__name__)
 
 HELD_SNAPSHOTS = 600
-"""Snapshots held while the file is read; the oldest go first, which the next reading mends."""
+"""Snapshots held while the file is read; dropped ones, the oldest, are read from the file later."""
 
 ATTEMPTS = 3  # a file that is being written may be unreadable once
 RETRY_S = 2.0  # between two attempts
 LOG_EVERY_S = 2.0
-"""The log is read from the file so often while somebody looks at it."""
+"""The log is read from the file so often while it is shown."""
 
 HistoryLoader = Callable[[Path, int], StoredTest]
 RevolutionLoader = Callable[[Path, int], StoredRevolution]
@@ -76,7 +76,7 @@ class ShownTest:
 
     @property
     def settled(self) -> bool:
-        """Tell whether nothing of the present test is still to be read."""
+        """Return whether nothing of the present test is still to be read."""
         read = self._held is None and self._again_at is None and not self._trip_is_read
         looked_at = not self._reading and self.data.wanted() is None
         return self._file is not None and read and looked_at
@@ -106,7 +106,7 @@ class ShownTest:
         return changed
 
     def _look_for_trip(self, status: Status) -> None:
-        """Read in which revolution a test tripped, once its file is finished."""
+        """Read the revolution in which a test tripped, once its file is finished."""
         test = status.test or NO_TEST
         path = self.path
         if status.engine.state in ACTIVE:
@@ -125,12 +125,12 @@ class ShownTest:
         self._trip_is_read = False
         if problem:
             log.warning("The revolution of the trip in %s cannot be read: %s", path, problem)
-        # A replay that is stopped earlier has not come to it.
+        # A replay at an earlier row has not reached it.
         if path == self.path and trip is not None and trip.revolution <= reached + 1:
             self.trip = None if self._trip_wanted else trip
 
     def deliver(self) -> None:
-        """Take what has been read; have read what a panel looked at and found missing."""
+        """Take finished readings; request series that a panel has missed."""
         self._worker.deliver()
         names, data = self.data.wanted(), self.data
         if names is None or self._reading:
@@ -168,7 +168,7 @@ class ShownTest:
             failed(RuntimeError(tr("The file is still being read; try again.")))
 
     def follow_log(self) -> None:
-        """Read the log again when it is time; called while somebody looks at it."""
+        """Read the log again when it is due; called while it is shown."""
         path = self.path
         if path is None or self._log_at is None or self._clock() < self._log_at:
             return
@@ -242,7 +242,7 @@ class ShownTest:
         self.problem = ""
 
     def _replay(self, data: LiveData, rows: int) -> None:
-        """Show a recorded test from its file, with the curves that came meanwhile."""
+        """Show a recorded test from its file, with the curves received meanwhile."""
         data.show(rows)
         data.cycle, data.prediction = self.data.cycle, self.data.prediction
         data.profile = self.data.profile

@@ -1,4 +1,4 @@
-"""Work off the screen's thread: bounded, named, results handed back when the screen asks."""
+"""Work off the screen's thread: bounded, named, results delivered to the screen's thread."""
 
 from __future__ import annotations
 
@@ -40,16 +40,16 @@ class TaskWorker:
 
     @property
     def idle(self) -> bool:
-        """Tell whether every call so far has ended and its result was delivered."""
+        """Return whether every call so far has ended and its result was delivered."""
         return self._waiting == 0
 
     @property
     def ended(self) -> bool:
-        """Tell whether its thread has ended, so that no call uses anything any more."""
+        """Return whether its thread has ended, so that no call runs any more."""
         return not self._thread.is_alive()
 
     def deliver(self) -> None:
-        """Hand over what is ready."""
+        """Deliver the finished results."""
         for _ in range(self._results.qsize()):
             result = self._results.get_nowait()
             self._waiting -= 1

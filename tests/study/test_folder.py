@@ -87,10 +87,10 @@ def test_a_study_under_way_and_a_damaged_one_say_so(tmp_path: Path) -> None:
     (tmp_path / "no-study").mkdir()
     found = {one.folder.name: one for one in studies_in(tmp_path)}
     assert found.keys() == {"done", "damaged", "going", "begun"}
-    assert "is not the table of a study" in found["damaged"].said
-    assert str(tmp_path / "damaged" / TABLE) in found["damaged"].said
+    assert "is not the table of a study" in found["damaged"].reason
+    assert str(tmp_path / "damaged" / TABLE) in found["damaged"].reason
     for name in ("going", "begun"):
-        assert "no table yet" in found[name].said
+        assert "no table yet" in found[name].reason
     assert list(found)[-1] == "begun"
 
 

@@ -327,8 +327,8 @@ def _resolved(study: StudyResults, result: str) -> bool:
 
 def _sentence(study: StudyResults) -> str:
     """Return how many points have a result, or why there is no table."""
-    if study.said:
-        return translate(study.said)
+    if study.reason:
+        return translate(study.reason)
     points, waiting, failed = len(study.problems), study.waiting, len(study.failed)
     done = grouped(points - waiting - failed)
     if waiting:

@@ -228,7 +228,7 @@ class WearPanel(QWidget):
         )
         if len(news.data.rows):
             waiting = tr("What is known of the wear is being computed …")
-        sentence = self._reader.said
+        sentence = self._reader.sentence
         if known.after:
             sentence += tr(" (By cycle {}.)", grouped(known.after))
         self.sentence.setText(sentence or waiting)

@@ -187,7 +187,7 @@ class ForecastPanel(PlotPanel):
         self.remains.setVisible(bool(told))
         self.remains.show_text("".join(told))
         lacking = status is not None and not news.is_replay and probes_lack_record(status)
-        why = "" if told else tr(NO_RECORD) if lacking else self._reader.said
+        why = "" if told else tr(NO_RECORD) if lacking else self._reader.sentence
         if not why and not told and len(news.data.rows):
             why = tr("The forecast is being computed …")
         self.why.setText(why)

@@ -103,7 +103,7 @@ class StudyPlot(PlotPanel):
     def _draw(self) -> None:
         at, result = self.parameter.currentIndex(), self.column
         if self._study is None or result is None or at < 0:
-            said = translate(self._study.said) if self._study is not None else ""
+            said = translate(self._study.reason) if self._study is not None else ""
             self._show_nothing(said or tr(NOTHING))
             return
         against = self._study.parameters[at]
