@@ -1,4 +1,4 @@
-"""The catalogues of languages: read one, and speak it for a while."""
+"""The catalogues of languages: read one, and use it for a block."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from xml.etree import ElementTree
 from rigapp.presentation.translation import ENGLISH, speaking
 
 LANGUAGES: Final = {ENGLISH: "English", "de": "Deutsch"}
-"""What window and report speak, by the code of ISO 639; all but English has a catalogue."""
+"""Languages of window and report, by the code of ISO 639; all but English have a catalogue."""
 WINDOW: Final = "rigapp"
 SENTENCES: Final = "sentences"
-"""Under which texts stand in a catalogue: those of the window, and the templates of sentences."""
+"""Contexts of a catalogue: the texts of the window, and the templates of sentences."""
 
 
 def catalogue_file(code: str) -> Path:
-    """Return the file of a catalogue; Qt's tools, which keep it, are the window's."""
+    """Return the file of a catalogue, which is beside the window, whose Qt tools maintain it."""
     return Path(__file__).parents[1] / "gui" / "language" / f"{code}.ts"
 
 
 def contexts(code: str) -> dict[str, dict[str, str]]:
-    """Return the translations of a catalogue by their English texts, by what they stand under.
+    """Return the translations of a catalogue by context and English text.
 
     Unfinished ones are left out. Raises OSError when it cannot be read.
     """
@@ -31,9 +31,9 @@ def contexts(code: str) -> dict[str, dict[str, str]]:
     for context in ElementTree.fromstring(shipped).iter("context"):  # noqa: S314 - our own file
         texts = texts_by_context[context.findtext("name", WINDOW)]
         for message in context.iter("message"):
-            said = message.find("translation")
-            if said is not None and said.text and "type" not in said.attrib:
-                texts[message.findtext("source", "")] = said.text
+            translation = message.find("translation")
+            if translation is not None and translation.text and "type" not in translation.attrib:
+                texts[message.findtext("source", "")] = translation.text
     return texts_by_context
 
 
@@ -44,5 +44,5 @@ def translations(code: str) -> dict[str, str]:
 
 
 def spoken(code: str) -> AbstractContextManager[None]:
-    """Speak a language until the block ends, then the one of before; raise OSError."""
+    """Use a language until the block ends, then the previous one; raise OSError."""
     return speaking(None if code == ENGLISH else translations(code), code)

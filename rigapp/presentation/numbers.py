@@ -25,7 +25,7 @@ _UNITS: Final[tuple[tuple[str, Text], ...]] = (
 
 
 def unit_text(unit: str) -> str:
-    """Return a unit as it is written, nothing for a plain number."""
+    """Return a unit as it is written, empty for a plain number."""
     for plain, nice in _UNITS:
         unit = unit.replace(plain, nice)
     return "" if unit == "1" else tr(unit)

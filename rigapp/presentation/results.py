@@ -1,4 +1,4 @@
-"""Say what a recorded test came to: its headline figures, and how far they can be trusted."""
+"""Texts of the result of a recorded test: headline figures, and how far they can be trusted."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ ALARMS_NAMED = 3
 
 @dataclass(frozen=True, slots=True)
 class KeyNumber:
-    """A figure of a result: caption, value with unit, and what it rests on or why it is missing."""
+    """A figure of a result: caption, value with unit, and its basis or why it is missing."""
 
     caption: str
     value: str
@@ -91,10 +91,7 @@ def _residual(result: TestResult) -> KeyNumber:
 
 
 def trust_lines(result: TestResult) -> Iterator[TrustLine]:
-    """Yield what to bear in mind of a result, then why it can be trusted.
-
-    Nothing of a file that cannot be read.
-    """
+    """Yield cautions about a result, then reasons to trust it; none for an unreadable file."""
     if result.outcome is not HowEnded.NOT_READABLE:
         yield from sorted(_remarks(result), key=lambda line: line.good)
 
@@ -144,17 +141,17 @@ def origin_of(result: TestResult) -> str:
 
 
 def file_line(result: TestResult) -> str:
-    """Return what the file is, in one line; nothing of one that is not there."""
+    """Return size and date of the file in one line, empty for a missing one."""
     if not result.modified:
         return ""
-    size, changed = bytes_text(result.size_bytes), _said(datetime.fromtimestamp(result.modified))
+    size, changed = bytes_text(result.size_bytes), _dated(datetime.fromtimestamp(result.modified))
     kept = grouped(result.cycles_saved)
     return tr("{}; {} cycles kept whole; changed {}", size, kept, changed)
 
 
 def moment(text: str) -> str:
     """Return the date and time of an ISO text by the clock of this place; empty stays empty."""
-    return _said(_when(text)) if text else ""
+    return _dated(_when(text)) if text else ""
 
 
 def day(text: str) -> str:
@@ -163,12 +160,12 @@ def day(text: str) -> str:
         return ""
     when = _when(text)
     same = when.year == datetime.now().year
-    return _said(when, "%a %d %b %H:%M" if same else "%d %b %Y")
+    return _dated(when, "%a %d %b %H:%M" if same else "%d %b %Y")
 
 
 def _when(text: str) -> datetime:
     return datetime.fromisoformat(text).astimezone()
 
 
-def _said(when: datetime, pattern: str = "%a %d %b %Y %H:%M") -> str:
+def _dated(when: datetime, pattern: str = "%a %d %b %Y %H:%M") -> str:
     return dated(pattern, when.timetuple())

@@ -1,4 +1,4 @@
-"""Say in which state a rig is: in a word, and in a line with what is next."""
+"""Texts of the state of a rig: a word, and a line with what is next."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ OUTCOMES: Final[dict[HowEnded, Text]] = {
 """How a test ended, wherever it is shown: strip, card, list, report, command line."""
 
 CALIBRATED: Final[tuple[Text, ...]] = ("load cell", "probes", "slow roll", "running check")
-"""What the command line calibrates; the window's words stand with its choices."""
+"""What the command line calibrates; the window's words are with its choices."""
 
 USUAL: Final[dict[RunState, Text]] = {
     RunState.RUNNING: "Running as planned.",
@@ -53,7 +53,7 @@ USUAL: Final[dict[RunState, Text]] = {
     RunState.CONNECTING: "Connecting: finding the devices of the rig.",
     RunState.STARTING: "Starting: the zeros are taken, then the spindle is brought to speed.",
 }
-"""What is said in a state of which the engine says nothing more."""
+"""Line of a state for which the engine gives no reason and no next step."""
 
 
 def is_resting(status: Status) -> bool:
@@ -112,7 +112,7 @@ def since_text(since: float, now: float) -> str:
 
 
 def state_line(status: Status, key: str = "") -> str:
-    """Return what is, and what is next; key: that does the next step, in the window."""
+    """Return state and next step; key: that does the next step, in the window."""
     word = state_word(status)
     if is_resting(status):
         return f"{word}, {rest_text(status)}. {tr('The test resumes by itself.')}"
@@ -128,7 +128,7 @@ def state_line(status: Status, key: str = "") -> str:
 
 
 def state_details(status: Status) -> str:
-    """Return the technical details of what ``state_line`` says, a line each."""
+    """Return the technical details of ``state_line``, a line each."""
     reasons = (status.engine.reason, status.recovery.sentence)
     alarm = worst_alarm(status.alarms) if not any(reasons) else None
     texts = reasons if alarm is None else (alarm.title, alarm.cause)
@@ -136,7 +136,7 @@ def state_details(status: Status) -> str:
 
 
 def _unnamed(status: Status, word: str) -> str:
-    """Return the line of a state of which the engine says no more: its alarm comes first."""
+    """Return the line of a state without reason and next step: its worst alarm comes first."""
     alarm = worst_alarm(status.alarms)
     if alarm is not None:
         return f"{word}. {translate(alarm.title)}: {translate(alarm.cause)}"
@@ -144,7 +144,7 @@ def _unnamed(status: Status, word: str) -> str:
 
 
 def listed_alarms(alarms: Iterable[Alarm]) -> list[Alarm]:
-    """Return the alarms that are told of: those that are not over, and not shelved."""
+    """Return the alarms to show: those that are not over, and not shelved."""
     return [alarm for alarm in alarms if alarm.state not in ("normal", "shelved")]
 
 

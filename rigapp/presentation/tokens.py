@@ -1,7 +1,7 @@
 """Every colour and size of the window, light and dark, in one place.
 
-The screen is calm: colour means that something is not normal, the accent that something is chosen
-or comes next, and Stop alone is red at rest. Curves are told apart by eyes without one cone.
+Colour means that something is not normal, the accent that something is chosen or comes next; in the
+normal state only Stop is red. Curves can be told apart with any colour blindness.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from typing import Final
 
 @dataclass(frozen=True, slots=True)
 class Theme:
-    """Name every colour that the window uses; ``curves`` maps the role of a line to its colour.
+    """Every colour of the window; ``curves`` maps the role of a line to its colour.
 
-    window, base, alternate: behind the cards, on them, sunk into them. hairline divides, strong
-    divides more, border is the edge of what can be pressed or typed into. text, secondary, muted:
-    what is read first, second and last. highlight: the accent, with its tint and what is written
-    on it. warning, critical: with tint, text on the tint (critical: itself), and text on them.
+    window, base, alternate: background, cards, areas in cards. hairline, strong: thin and strong
+    dividing lines; border: edge of what can be pressed or typed into. text, secondary, muted: ink
+    by importance. highlight: the accent, with its tint and the ink on it. warning, critical: with
+    tint, ink on the tint (critical: itself), and ink on them.
     """
 
     name: str
@@ -49,7 +49,7 @@ class Theme:
     curves: Mapping[str, str] = field(hash=False)
 
     def ink(self, level: int, normal: str = "") -> str:
-        """Return the ink of a level: 0 normal (the text's, unless told), 1 warning, 2 critical."""
+        """Return the ink of a level: 0 normal (by default the text's), 1 warning, 2 critical."""
         return (normal or self.text, self.warning_text, self.critical)[level]
 
     def mark(self, *, critical: bool) -> tuple[str, str]:
@@ -141,14 +141,14 @@ LARGE_PT: Final = 30.0
 follow the screen and the user's scale."""
 
 STEP: Final = 8
-"""The grid on which everything stands, in pixels that follow the scale of the screen."""
+"""The grid of all sizes, in pixels that follow the scale of the screen."""
 GAP: Final = 12
 MARGIN: Final = 16
 MESSAGE_LINES: Final = 3
 """Lines of text in the line of messages."""
 TIGHT_WIDTH: Final = 1200
 TIGHT_HEIGHT: Final = 600
-"""A window less wide or high (a small screen at a scale of 150 or 200 %) shows what is needed only:
-bars without their keys, fewer tiles, the side column while there is something to recover from."""
+"""A narrower or lower window (a small screen at a scale of 150 or 200 %) shows only what is needed:
+bars without their keys, fewer tiles, the side column during a recovery."""
 RADIUS: Final = 6
 CARD_RADIUS: Final = 8

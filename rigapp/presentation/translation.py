@@ -1,7 +1,7 @@
-"""Say a text in the language of the window. It knows no Qt, so that everybody may use it.
+"""Translate texts into the language of the process, without Qt.
 
-A text stands in English where it is said. ``Text`` in a signature, field or table tells that who
-takes it passes it through ``tr``; the catalogues are gathered by that (``collect``).
+Texts are English in the source. ``Text`` in a signature, field or table means that the receiver
+passes it through ``tr``; the catalogues are gathered by these annotations (``collect``).
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ ENGLISH: Final = "en"
 
 
 def speak(translations: Mapping[str, str] | None, code: str = "") -> None:
-    """Say all texts as a table of them says from now on; None: in English, as they stand.
+    """Translate all texts by a table from now on; None: leave them in English.
 
     code: of the language, by ISO 639.
     """
@@ -42,7 +42,7 @@ def speak(translations: Mapping[str, str] | None, code: str = "") -> None:
 
 @contextmanager
 def speaking(translations: Mapping[str, str] | None, code: str) -> Iterator[None]:
-    """Say texts as a table of them says until the block ends, then as before."""
+    """Translate texts by a table until the block ends, then as before."""
     before = _SPOKEN.translations, _SPOKEN.language
     speak(translations, code)
     try:
@@ -52,43 +52,42 @@ def speaking(translations: Mapping[str, str] | None, code: str) -> Iterator[None
 
 
 def language() -> str:
-    """Return the code of the language that is spoken."""
+    """Return the code of the language in use."""
     return _SPOKEN.language
 
 
 def speaks_english() -> bool:
-    """Tell whether texts are said as they stand."""
+    """Tell whether texts stay in English."""
     return _SPOKEN.translations is None
 
 
 def marked(text: Text) -> Text:
-    """Return a text as it stands: the catalogue has it, and whoever shows it translates it."""
+    """Return a text unchanged; it gets into the catalogue, and is translated where it is shown."""
     return text
 
 
 def tr(text: Text, *values: object, **named: object) -> str:
     """Return a text in the language of the window, with values in the place of its braces.
 
-    A text that the catalogue does not have (a name, a number, what is translated already) is
-    returned as it is.
+    A text that is not in the catalogue (a name, a number, a translated text) is returned unchanged.
     """
-    said = text if _SPOKEN.translations is None else _SPOKEN.translations.get(text, text)
-    return said.format(*values, **named) if values or named else said
+    translated = text if _SPOKEN.translations is None else _SPOKEN.translations.get(text, text)
+    return translated.format(*values, **named) if values or named else translated
 
 
 EDGES: Final = " .;:,\n"
-"""What may stand about a sentence; the catalogue has it without."""
+"""Characters around a sentence, which the catalogue omits."""
 PLURAL: Final = "s"
-"""An ending that says nothing in another language."""
+"""An ending without meaning in another language."""
 
 
 _ERROR_NUMBER: Final = re.compile(r"\[Errno -?\d+\] ")
 
 
 def translate(text: str) -> str:
-    """Return a text in the language of the window, without its details and numbers of errors.
+    """Return a text in the language of the window, without its details and error numbers.
 
-    Only a sentence is translated: what people and older programs wrote is shown as it is.
+    Only a sentence is translated: texts of people and older programs are returned unchanged.
     """
     bare = sentence_of(text)
     if isinstance(bare, Sentence) and _SPOKEN.translations is not None:
@@ -111,7 +110,7 @@ def _translated(sentence: Sentence, catalogue: Mapping[str, str]) -> str:
 
 
 def _template(template: str, catalogue: Mapping[str, str]) -> str:
-    """Return a template as the catalogue has it, where not, as it stands.
+    """Return the translation of a template, or the template where there is none.
 
     The catalogue may have it without its edges, or with another first letter, as within a sentence.
     """

@@ -1,8 +1,8 @@
-"""Texts that keep their structure: a template with values, from where they arise to the screen.
+"""Texts that keep their structure: a template with values, from their origin to the screen.
 
-A ``Sentence`` is its English text, so files, logs and terminals take it as any string. Who shows
-it in another language looks its template up in a catalogue and fills in the values
-(``rigapp.presentation.translation``). Drivers, model and calibration say their errors by it, too:
+A ``Sentence`` is its English text, so files, logs and terminals use it as any string. Another
+language takes the translation of its template from a catalogue and fills in the values
+(``rigapp.presentation.translation``). Errors of drivers, model and calibration are sentences, too:
 this module imports nothing of rigapp. Others enter by this door.
 """
 
@@ -10,16 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from enum import Enum
+from itertools import count
 from string import Formatter
 
 Value = str | int | float
-"""What fills a brace: a number, a name that is never translated, or another sentence."""
+"""Value of a placeholder: a number, a name that is never translated, or another sentence."""
 
 
 class Sentence(str):
-    """An English text that knows its template and the values in it.
+    """An English text with its template and the values in it.
 
-    A template without values is the text as it stands, braces and all.
+    A template without values is the text itself, braces included.
     """
 
     __slots__ = ("template", "values")
@@ -30,20 +31,20 @@ class Sentence(str):
         """Fill a template: its braces have values in their order, or names."""
         if isinstance(template, Sentence) and not values:
             return template
-        return cls.of(template, {**{str(at): one for at, one in enumerate(values)}, **named})
+        return cls.of(template, {**dict(zip(map(str, count()), values, strict=False)), **named})
 
     @classmethod
     def of(cls, template: str, values: dict[str, object]) -> Sentence:
         """Fill a template with values by their names; those without one have numbers."""
         named = {name for _, name, _ in braces(template) if name} if values else set()
-        kept = {name: _kept(value) for name, value in values.items() if name in named}
+        kept = {name: _stored(value) for name, value in values.items() if name in named}
         text = filled(template, kept) if values else template
         sentence = super().__new__(cls, text)
         sentence.template, sentence.values = template, kept
         return sentence
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Return what makes it again, for copies and other processes."""
+        """Return its constructor and arguments, for copies and other processes."""
         return Sentence.of, (self.template, self.values)
 
     def __add__(self, other: str, /) -> Sentence:
@@ -72,7 +73,7 @@ class Sentence(str):
 
 
 class SentenceError(Exception):
-    """An error with a sentence: it is raised with a template and the values of it."""
+    """An error with a sentence, raised with a template and its values."""
 
     def __init__(self, template: str = "", *values: object) -> None:
         super().__init__(Sentence(template, *values))
@@ -87,17 +88,17 @@ def say(template: str, *values: object, **named: object) -> Sentence:
 
 
 def as_written(text: str) -> Sentence:
-    """Return a text as a sentence: one that has no structure is shown as it is, never translated.
+    """Return a text as a sentence; one without structure is shown unchanged, never translated.
 
-    This is for what people and older programs wrote.
+    For texts of people and older programs.
     """
     return text if isinstance(text, Sentence) else Sentence("{}", text)
 
 
 def sentence_of_error(error: BaseException) -> str:
-    """Return what an error says, with its structure where it has one."""
-    said = error.args[0] if len(error.args) == 1 else None
-    return said if isinstance(said, Sentence) and said == str(error) else str(error)
+    """Return the text of an error, with its structure where it has one."""
+    sentence = error.args[0] if len(error.args) == 1 else None
+    return sentence if isinstance(sentence, Sentence) and sentence == str(error) else str(error)
 
 
 def capitalised(text: str) -> str:
@@ -113,14 +114,14 @@ def capitalised(text: str) -> str:
 
 
 def joined(separator: str, texts: Iterable[str]) -> Sentence:
-    """Return texts behind one another. separator: a sentence where it has words."""
+    """Return texts joined by a separator, which is a sentence where it has words."""
     parts: list[str] = []
-    for one in texts:
-        parts += [separator, one] if parts else [one]
+    for text in texts:
+        parts += [separator, text] if parts else [text]
     return Sentence("{}" * len(parts), *parts)
 
 
-def _kept(value: object) -> Value:
+def _stored(value: object) -> Value:
     """Return a value as a sentence keeps it."""
     if isinstance(value, Sentence):
         return value
@@ -130,7 +131,7 @@ def _kept(value: object) -> Value:
         return sentence_of_error(value)
     if isinstance(value, bool) or not isinstance(value, int | float):
         item = getattr(value, "item", None)
-        return _kept(item()) if callable(item) else str(value)  # numbers of numpy have item
+        return _stored(item()) if callable(item) else str(value)  # numbers of numpy have item
     return float(value) if isinstance(value, float) else int(value)
 
 
@@ -143,7 +144,7 @@ def filled(template: str, values: dict[str, Value]) -> str:
 
 
 def braces(template: str) -> Iterator[tuple[str, str, str]]:
-    """Yield each literal of a template, the name of the value after it, and how that is written.
+    """Yield each literal of a template, the name of the value after it, and its format.
 
     Values without a name are numbered. The last literal may have no value after it.
     """
