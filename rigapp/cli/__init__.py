@@ -1,4 +1,4 @@
-"""The command line: verbs, thin. Each imports what it needs when it is called.
+"""The command line: thin verbs, each of which imports what it needs when it is called.
 
 Others enter by this door.
 """

@@ -1,4 +1,4 @@
-"""Options and arguments that several verbs have, and how a group of verbs is made."""
+"""Common options and arguments of verbs, and groups of verbs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp.config.names import name_refusal
 
 
 class WholeSentences(TyperGroup):
-    """A group whose list of verbs has what each does in whole, however narrow the terminal is."""
+    """A group whose list of verbs has each whole sentence, however narrow the terminal is."""
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """Write the verbs and the first sentence of each."""
@@ -28,7 +28,7 @@ class WholeSentences(TyperGroup):
 
 
 def group(words: str = "") -> typer.Typer:
-    """Return an empty group of verbs; without words its verbs stand beside those of others."""
+    """Return an empty group of verbs; without words its verbs are beside those of others."""
     return typer.Typer(
         help=words or None, no_args_is_help=True, rich_markup_mode=None, cls=WholeSentences
     )
@@ -43,7 +43,7 @@ def _file_name(parameter: typer.CallbackParam, path: Path | None) -> Path | None
 
 
 def option(flag: str, words: str, **more: Any) -> Any:
-    """Return an option that is given by its whole name."""
+    """Return an option without a short name."""
     return typer.Option(flag, help=words, **more)
 
 

@@ -1,4 +1,4 @@
-"""The program: every verb in its place, the options that all of them have, and how it ends.
+"""The program: the tree of verbs, their common options, and the exit status.
 
 Exit status: 0 done, 1 the test or check failed or was stopped by a limit, 2 unusable input, 3 a
 device failed. One plain sentence on stderr; a traceback only with ``--debug``.
@@ -70,20 +70,20 @@ def options(
 
 
 INTERRUPTED = 130
-"""What the command line's library returns after Ctrl-C."""
+"""The status that the command line's library returns after Ctrl-C."""
 
 
-@cache  # who calls ``main`` again and again makes the tree of verbs once
+@cache  # repeated calls of ``main`` make the tree of verbs once
 def _verbs() -> Any:
     return typer.main.get_command(app)
 
 
 def main() -> NoReturn:
     """Run the command line and exit with its status."""
-    # Threads of the linear algebra would fight the acquisition for the cores.
+    # Threads of the linear algebra would take cores from the acquisition.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # closed by who started this
+        if getattr(sys, name) is None:  # closed by the parent process
             setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115, for as long as this runs
     debug = "--debug" in sys.argv
     arguments = [word for word in sys.argv[1:] if word != "--debug"]
@@ -103,7 +103,7 @@ def main() -> NoReturn:
 
 
 def _report(error: Exception) -> int:
-    """Say what went wrong in one sentence and return the exit status that it stands for."""
+    """Print what went wrong in one sentence and return the exit status."""
     if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
         start = str(error.filename)[:40]
         print(f"rigapp: the name {start}... is too long; shorten it.", file=sys.stderr)
@@ -118,10 +118,10 @@ def _report(error: Exception) -> int:
     if type(error).__name__ == "NoArgsIsHelpError":
         print(wrong_call())
     else:
-        said = wrong_call().rstrip()
-        stop = "" if said.endswith((".", "?", "!")) else "."
+        message = wrong_call().rstrip()
+        stop = "" if message.endswith((".", "?", "!")) else "."
         verb = getattr(getattr(error, "ctx", None), "command_path", None) or "rigapp"
-        print(f"rigapp: {said}{stop} See '{verb} --help'.", file=sys.stderr)
+        print(f"rigapp: {message}{stop} See '{verb} --help'.", file=sys.stderr)
     return 2
 
 

@@ -1,4 +1,4 @@
-"""`rigapp calibrate` from tables, what is printed of every calibration, and work on records."""
+"""`rigapp calibrate` from tables, the printed outcome of every calibration, work on records."""
 
 from __future__ import annotations
 
@@ -48,31 +48,31 @@ def calibrate_table(
 ) -> int:
     """Fit a table of readings; keep a record when they are good; return the exit status.
 
-    name: of the subject; which: of several things of it (see the subject's ``fit``). former: the
-    record in use until now, which they are compared with.
+    name: of the subject; which: a variant of it (see the subject's ``fit``). former: the record in
+    use until now, for comparison.
     """
     subject = SUBJECTS[name]
     if readings is None or subject.fit is None:
         raise UnusableInput(ONE_SOURCE)
-    given = read_document(settings, subject.settings).record
+    parsed = read_document(settings, subject.settings).record
     text = read_text(readings)
     refuse_existing(to)
     try:
-        outcome = subject.fit(text, given, str(settings), which)
+        outcome = subject.fit(text, parsed, str(settings), which)
     except ReadingsError as error:
         raise UnusableInput(f"{readings}: {error}.") from error
     if former is not None:
         outcome = outcome.against(read_record(former))
     if outcome.accepted:
         as_found = outcome.as_found[0]
-        keep_record(to, outcome.kind, text, given, outcome.result, as_found=as_found)
+        keep_record(to, outcome.kind, text, parsed, outcome.result, as_found=as_found)
     return say_outcome(outcome, to, as_json=as_json)
 
 
 def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
     """Print an outcome and its problems; return the exit status.
 
-    The numbers of a calibration that is refused are kept back; what a check showed is told.
+    The numbers of a refused calibration are not printed; those of a check always are.
     """
     if as_json:
         as_found = outcome.as_found[0]
@@ -101,7 +101,7 @@ def make_worksheet(settings: Path, to: Path, plan: str, weights: str) -> int:
 
 
 def read_record(path: Path) -> Record:
-    """Return a record; raise UnusableInput for what is none."""
+    """Return a record; raise UnusableInput for a file that is none."""
     try:
         return checked_record(read_bytes(path))
     except OSError as error:
@@ -160,7 +160,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
 
 
 def item_of(record: Record) -> str:
-    """Return what a record is of, as its settings name it: name and serial number."""
+    """Return the item of a record by its settings: name and serial number."""
     settings = record.content["settings"]
     cell, paper = settings.get("cell", {}), settings.get("paperwork", {})
     named = cell.get("name") or settings.get("probe", {}).get("name", "")
@@ -303,7 +303,7 @@ def _read(path: Path) -> tuple[bytes, Record]:
 
 
 def _not_by(record: Record, public_key: Path) -> list[str]:
-    """Return why a record is not signed by a key, nothing when it is."""
+    """Return why a record is not signed by a key, empty when it is."""
     try:
         wanted = public_key_of(read_bytes(public_key))
     except OSError as error:

@@ -1,4 +1,4 @@
-"""`rigapp check`: would this test start on this rig? A table, and what blocks."""
+"""`rigapp check`: the table of checks before a test."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from rigapp_drivers.api import DeviceError, help_of
 from rigapp_drivers.registry import load_driver
 
 FIRST_DATA_S = 10.0  # a device that has been set sends within a block
-PIPE_WIDTH = 200  # where no terminal tells its width, no line is broken
+PIPE_WIDTH = 200  # without a terminal no line is broken
 APT_SETTINGS = Path("/etc/apt/apt.conf.d")
 _RESTARTS = re.compile(r'^\s*Unattended-Upgrade::Automatic-Reboot\s+"true"', re.MULTILINE)
 MARKS = {CheckVerdict.GOOD: "ok", CheckVerdict.ATTENTION: "note", CheckVerdict.BLOCKS: "BLOCKS"}
@@ -79,7 +79,7 @@ def _print_table(checks: Sequence[Check]) -> None:
 
 
 def message_checks(rig: Document[RigFile]) -> list[Check]:
-    """Judge the ways to reach who is away, where any is set up; nothing is sent."""
+    """Check the notification channels, where any is set up; nothing is sent."""
     ways = ways_of(rig)
     if not ways:
         return []
@@ -91,7 +91,7 @@ def message_checks(rig: Document[RigFile]) -> list[Check]:
 
 
 def computer_checks(settings: Path = APT_SETTINGS) -> Iterator[Check]:
-    """Judge whether the computer may sleep, or be restarted by updates, while a test runs."""
+    """Check whether the computer may sleep, or be restarted by updates, while a test runs."""
     kept = kept_awake()
     if not kept:
         yield Check(
@@ -125,10 +125,10 @@ def computer_checks(settings: Path = APT_SETTINGS) -> Iterator[Check]:
 
 
 def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check]]:
-    """Return how the rig stands, and what else was found or kept it from being looked at.
+    """Return the status of the rig, and further checks, or why there is no status.
 
-    The engine that runs for the rig is asked; without one, the devices are opened, their own test
-    value is looked at, and they are released.
+    The running engine of the rig answers; without one, the devices are opened, their test value is
+    read, and they are released.
     """
     from rigapp.service.client import Client, EngineUnreachable
     from rigapp.service.launch import find_engine
@@ -198,9 +198,9 @@ def self_check(
     load: LoadDriver = load_driver,
     folder: Path = Path(),
 ) -> Iterator[Check]:
-    """Yield what the data source's test value shows, where it has one; raise what opening raises.
+    """Yield the check of the data source's test value, where it has one; raise what opening raises.
 
-    The way from the amplifier to the program is checked: scales and order of the channels.
+    It covers the path from the amplifier to the program: scales and order of the channels.
     """
     devices = make_devices(rig, ports, load, folder=folder)
     try:

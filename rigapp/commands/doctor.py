@@ -1,4 +1,4 @@
-"""`rigapp doctor`: is this machine ready for a rig and for the window, and what is on its ports?"""
+"""`rigapp doctor`: examine this computer, its ports and the libraries of the window."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ _SUBJECT_WIDTH = 19
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One line of the examination: good, or what to do; help: a section of troubleshooting.md."""
+    """One line of the examination: good, or an action; help: a section of troubleshooting.md."""
 
     subject: str
     text: str
@@ -70,7 +70,7 @@ class Observation:
 
 
 def examine(port: str | None = None, *, as_json: bool = False) -> int:
-    """Print every finding; status 1 when one needs action. port: ask this one, nothing else."""
+    """Print every finding; status 1 when one needs action. port: examine only this one."""
     findings = _all() if port is None else ask_port(port)
     return _as_json(tuple(findings)) if as_json else _report(findings)
 
@@ -182,7 +182,7 @@ def installed_drivers(findings: list[Observation]) -> list[DriverInfo]:
 
 
 def ports() -> Iterator[Observation]:
-    """Name the devices on the serial ports, by USB id and by asking where that is safe."""
+    """Name the devices on the serial ports, by USB id and by an inquiry where that is safe."""
     from serial.tools import list_ports
 
     broken: list[Observation] = []
@@ -226,7 +226,7 @@ def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
 
 
 def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Observation]:
-    """Say what came of a port that the user has not named: a stranger there is no fault."""
+    """Yield the finding of a port that the user has not named: an unknown device is no fault."""
     if inquiry.answer is not None:
         yield Observation(inquiry.port, identity_words(inquiry))
     elif inquiry.problem:
@@ -246,7 +246,7 @@ def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Obse
 
 
 def ask_port(port: str) -> Iterator[Observation]:
-    """Ask one port that the user names."""
+    """Examine one port that the user names."""
     from rigapp_drivers.discovery import ask
 
     broken: list[Observation] = []
@@ -274,7 +274,7 @@ def ask_port(port: str) -> Iterator[Observation]:
 
 
 def identity_words(inquiry: Inquiry) -> str:
-    """Return who answered, with what the rig file needs to know."""
+    """Return the identity of the device, with the values for a rig file."""
     answer = inquiry.answer
     assert answer is not None
     who = answer.identity
@@ -300,7 +300,7 @@ def permission_advice(device: str) -> str:
 
 
 def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Observation]:
-    """Explain the latency timer of an FTDI adapter; nothing for other ports."""
+    """Yield the latency timer of an FTDI adapter; nothing for other ports."""
     timer = folder / name / "latency_timer"
     try:
         milliseconds = int(timer.read_text())
@@ -320,9 +320,9 @@ def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Observation]
 
 
 def port_rules(drivers: Iterable[DriverInfo]) -> str:
-    """Return udev rules by which the user at the computer, and no modem's program, opens the ports.
+    """Return udev rules that open the ports to the user at the computer, but not to ModemManager.
 
-    The known devices are those that the drivers name by their USB id.
+    The known devices are those with a USB id in a driver.
     """
     known = "".join(
         f'SUBSYSTEM=="usb", ENV{{DEVTYPE}}=="usb_device", ATTR{{idVendor}}=="{vendor:04x}", '
@@ -333,7 +333,7 @@ def port_rules(drivers: Iterable[DriverInfo]) -> str:
 
 
 def rules_advice(folders: Sequence[Path] = RULES_FOLDERS) -> Iterator[Observation]:
-    """Say how the udev rules are installed, where there is udev and they are not."""
+    """Yield whether the udev rules are installed, or how to do it, where there is udev."""
     if any((folder / RULES_NAME).exists() for folder in folders):
         yield Observation("Rules for ports", "installed")
     elif folders[0].is_dir():
@@ -348,7 +348,7 @@ def rules_advice(folders: Sequence[Path] = RULES_FOLDERS) -> Iterator[Observatio
 
 
 def can_interfaces(folder: Path = NETWORKS) -> Iterator[Observation]:
-    """Name the CAN interfaces and the nodes whose heartbeat is heard on them."""
+    """Name the CAN interfaces and the nodes whose heartbeat arrives on them."""
     from rigapp.prepare.real_rig import can_networks
 
     names = can_networks(folder)
@@ -388,7 +388,7 @@ def _text(path: Path) -> str:
 
 
 def _window() -> Iterator[Observation]:
-    """Test the window's libraries in a process of its own: a broken Qt may abort."""
+    """Test the window's libraries in a separate process: a broken Qt may abort."""
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
     try:
         done = subprocess.run(

@@ -21,20 +21,18 @@ from rigapp.service.simulated import parse_speed
 from rigapp.texts import sentence_of_error
 
 DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
-"""After the computer's start devices may be ready later; they are asked so long, so often."""
-LONELY_S = 60.0  # a window may be closed and opened again meanwhile
+"""After the computer's start devices may be ready later: for how long, how often to connect."""
+UNUSED_S = 60.0  # a window may be closed and opened again meanwhile
 CLOSE_S = 120.0
-"""Stopping a test under way may take 60 s of it, and a notifier 30 s to hear of it."""
+"""Stopping a test under way may take 60 s of it, and a notifier 30 s."""
 
 
 def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: bool = False) -> int:
     """Host an engine for windows until one of them, or a signal, shuts it down.
 
-    bind: as ``security.parse_bind`` takes it. stay: also while nobody looks on, as it started with
-    the computer: it tells of a test that was cut off, and asks for its devices for a while, which
-    may come up later.
-
-    Without it, without a test and without a viewer for ``LONELY_S``, it ends by itself.
+    bind: see ``security.parse_bind``. stay: also without viewers, as it started with the computer:
+    it reports a test that was cut off, and tries for a while to connect its devices. Without
+    ``stay``, it ends after ``UNUSED_S`` without a test and a viewer.
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
@@ -42,21 +40,21 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
         Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
         if stay:
             host.tell_of_cut_off_test()
-        lonely_since = time.monotonic()
+        unused_since = time.monotonic()
         while not host.ended.is_set() and not signals:
             notice = host.notices.get(0.2)
             if isinstance(notice, Finished):
                 settle(notice)
             if stay or host.watched or host.occupied:
-                lonely_since = time.monotonic()
-            elif time.monotonic() - lonely_since > LONELY_S:
+                unused_since = time.monotonic()
+            elif time.monotonic() - unused_since > UNUSED_S:
                 break
         close_host(host, signals)
     return 0
 
 
 def close_host(host: EngineHost, signals: list[str]) -> None:
-    """Close a host at the end of its process, which ends whatever hangs.
+    """Close a host at the end of its process, which ends even if something hangs.
 
     signals: as ``termination_signals`` collects them.
     """
@@ -70,9 +68,9 @@ def close_host(host: EngineHost, signals: list[str]) -> None:
 
 
 def _connect_quietly(host: EngineHost, patience_s: float = 0.0) -> None:
-    """Connect at once, so that the window shows live values; a failure shows in the state.
+    """Connect at once, so that the window shows live values; a failure is in the state.
 
-    patience_s: for so long it is tried again, as long as nobody else has done anything.
+    patience_s: for so long it is tried again, unless a viewer attaches or the state changes.
     """
     until = time.monotonic() + patience_s
     while True:

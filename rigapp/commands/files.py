@@ -72,7 +72,7 @@ def export_file(
     decimal: str = "",
     separator: str = "",
 ) -> int:
-    """Write a table of a test file and say how much was written; return the exit status."""
+    """Write a table of a test file and print its size; return the exit status."""
     separator = "\t" if separator in ("tab", "\\t") else separator
     dialect = Dialect(separator or AS_EVER.separator, decimal or AS_EVER.decimal)
     with open_test(path) as test:
@@ -110,9 +110,8 @@ def write_report(
 
     as_json: print its texts and tables, in place of the sentence. settings: a report.toml, else the
     one beside the test or of the user. language: its code, else the one of the settings. Returns
-    the exit status. Raises
-    UnusableInput for another ending, a file that is not a test, a target that cannot be written,
-    and where nothing is asked for.
+    the exit status. Raises UnusableInput for another ending, a file that is not a test, a target
+    that cannot be written, and without target and ``as_json``.
     """
     if to is None and not as_json:
         raise UnusableInput("Name the report to write, --to REPORT.html or .pdf, or ask for --json")
@@ -192,7 +191,7 @@ NAMES = {
 
 
 def verify_file(path: Path, *, as_json: bool) -> int:
-    """Check a file by its checksums and say which part differs; return 1 where one does."""
+    """Check a file by its checksums and print which part differs; return 1 where one does."""
     with open_test(path) as reader:
         checksums, compressed = reader.plan.checksums, reader.compressed
         damage = list(found_damage(reader))
@@ -226,7 +225,7 @@ def verify_file(path: Path, *, as_json: bool) -> int:
 
 
 def close_file(path: Path) -> int:
-    """End a file whose writer is gone, and trim it; return the exit status."""
+    """Close a file whose writer has ended, and trim it; return the exit status."""
     close_test(path)
     try:
         trimmed = compact_test(path)
@@ -243,7 +242,7 @@ def close_file(path: Path) -> int:
 
 
 def salvage_file(path: Path, to: Path) -> int:
-    """Write what checksums confirm into a new file and say what is lost; return the status."""
+    """Write what checksums confirm into a new file and print what is lost; return the status."""
     salvaged = salvage_test(path, to)
     print(say("{}: salvaged from {}.", to, path))
     for name, rows in salvaged.kept.items():
@@ -257,7 +256,7 @@ def salvage_file(path: Path, to: Path) -> int:
 
 
 SHORTEST_NAME = 4
-"""Shorter names of computers stand in many words by chance."""
+"""Shorter names of computers are part of many words by chance."""
 
 
 def package_tests(
@@ -270,8 +269,8 @@ def package_tests(
     from rigapp.publishing.package import private_in, published, refuse_target, write_package
 
     refuse_target(to)
-    given = published(paths, authors, licence)
-    findings = private_in(given, _this_computer())
+    package = published(paths, authors, licence)
+    findings = private_in(package, _this_computer())
     for finding in findings:
         print(f"{'note' if allow_private else 'rigapp'}: {finding.sentence}", file=sys.stderr)
     if findings and not allow_private:
@@ -282,9 +281,9 @@ def package_tests(
         )
         return 1
     with bar("Package") as progress:
-        files = write_package(given, to, progress)
-    names = "; ".join(author.name for author in given.authors)
-    print(f"The package is {to}: {len(files)} files, by {names}, {given.licence.identifier}.")
+        files = write_package(package, to, progress)
+    names = "; ".join(author.name for author in package.authors)
+    print(f"The package is {to}: {len(files)} files, by {names}, {package.licence.identifier}.")
     return 0
 
 
@@ -298,9 +297,9 @@ def _this_computer() -> frozenset[str]:
 def identify_tests(
     paths: Sequence[Path], to: Path | None, *, as_json: bool, after: int | None = None
 ) -> int:
-    """Say what is known of the wear of tests, and write it; return the exit status.
+    """Print what is known of the wear of tests, and write it; return the exit status.
 
-    after: as it was known after a revolution. Status 1 when nothing can be told of one of them.
+    after: as it was known after a revolution. Status 1 when one of them is not identifiable.
     Raises UnusableInput for a file that is no test, or a target that cannot be written.
     """
     ending = _checked_form(to) if to is not None else ""

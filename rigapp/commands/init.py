@@ -1,4 +1,4 @@
-"""`rigapp init` and `rigapp schema`: files to start from, and what a file may hold."""
+"""`rigapp init` and `rigapp schema`: starting files, and the schema of a file."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ NEXT_REAL = (
 
 
 def prepare_folder(folder: Path) -> int:
-    """Write the files to start from, and compile what a first test would wait for; exit status.
+    """Write the starting files, and compile the kernels of a first test; exit status.
 
     Raises UnusableInput as ``write_files``.
     """
@@ -50,7 +50,7 @@ def prepare_folder(folder: Path) -> int:
 
 
 def start_folder(folder: Path) -> None:
-    """Write the files to start from into a folder, all or none, and list them.
+    """Write the starting files into a folder, all or none, and list them.
 
     Raises UnusableInput, and writes nothing, when one of them is there already.
     """
@@ -60,9 +60,9 @@ def start_folder(folder: Path) -> None:
 def prepare_real_folder(folder: Path, named: Mapping[str, tuple[str, str]]) -> int:
     """Write the files of a real rig into a folder; exit status.
 
-    named: name of a device -> driver and port as told by options, empty where they are not. What is
-    missing is asked for on a terminal. Raises UnusableInput for an unknown driver, for a missing
-    one where nobody can be asked, and when a file is there already.
+    named: name of a device -> driver and port by options, empty where not given. Missing ones are
+    entered on a terminal. Raises UnusableInput for an unknown driver, for a missing one without a
+    terminal, and when a file is there already.
     """
     ports = search_ports() if not all(port for _, port in named.values()) else []
     if ports and sys.stdin.isatty():
@@ -107,9 +107,9 @@ def _print_next(folder: Path, commands: Sequence[str]) -> None:
 
 
 def _box(name: str, driver: str, port: str, ports: Sequence[FoundPort]) -> Box:
-    """Return a device as told, as found, or as somebody at the terminal answers."""
+    """Return a device by its option, by the search, or by an answer on the terminal."""
     words, fitting = ROLES[name].words, drivers_of(name)
-    answering = {found.driver: found for found in reversed(ports) if found.driver in fitting}
+    answering = {other.driver: other for other in reversed(ports) if other.driver in fitting}
     if not driver:
         driver = _choose(
             f"Which {words}", list(fitting), next(iter(answering), ""), option=f"--{name}"
@@ -123,7 +123,7 @@ def _box(name: str, driver: str, port: str, ports: Sequence[FoundPort]) -> Box:
 
 
 def _port_of(info: DriverInfo, ports: Sequence[FoundPort]) -> str:
-    """Return the port of a device: the one that answers, or what somebody types; may be empty."""
+    """Return the port of a device: the one that answers, or one that is typed; may be empty."""
     answering = [port.name for port in ports if port.driver == info.name]
     if len(answering) == 1:
         print(f"{info.title}: found on {answering[0]}.")
@@ -137,19 +137,19 @@ def _port_of(info: DriverInfo, ports: Sequence[FoundPort]) -> str:
 
 
 def _choose(question: str, choices: Sequence[str], first: str, option: str = "") -> str:
-    """Return one of some choices as somebody types it; a number or the word itself."""
+    """Return one of some choices, typed as a number or the word itself."""
     if not sys.stdin.isatty():
         raise UnusableInput(f"Say {option} {' or '.join(choices)}; there is no terminal to ask on.")
     for number, choice in enumerate(choices, 1):
         print(f"  {number}  {choice}")
     first = first or choices[0]
     while True:
-        said = _typed(f"{question}? [{first}] ") or first
-        if said.isdecimal() and 1 <= int(said) <= len(choices):
-            return choices[int(said) - 1]
-        if said in choices:
-            return said
-        print(f"{said} is none of these.")
+        answer = _typed(f"{question}? [{first}] ") or first
+        if answer.isdecimal() and 1 <= int(answer) <= len(choices):
+            return choices[int(answer) - 1]
+        if answer in choices:
+            return answer
+        print(f"{answer} is none of these.")
 
 
 def _typed(question: str) -> str:

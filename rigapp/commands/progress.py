@@ -1,4 +1,4 @@
-"""How far long work on a terminal is, and when it has taken long enough."""
+"""Progress and time limit of long work on a terminal."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def check_time_limit(limit_s: float | None) -> None:
 
 @contextmanager
 def bar(label: str) -> Iterator[Callable[[float, float], None] | None]:
-    """Yield what shows how much of all is done: a bar on a terminal, None on a pipe."""
+    """Yield a function that shows the progress: a bar on a terminal, None on a pipe."""
     if not sys.stderr.isatty():
         yield None
         return
@@ -33,7 +33,7 @@ def bar(label: str) -> Iterator[Callable[[float, float], None] | None]:
 
 @contextmanager
 def watched(label: str, limit_s: float | None) -> Iterator[Callable[[float], None]]:
-    """Yield what a computation calls with the part done, 0 to 1, shown as ``bar`` does.
+    """Yield a function that a computation calls with the part done, 0 to 1, shown by ``bar``.
 
     It raises the model's OutOfTime when ``limit_s`` seconds have passed since the beginning.
     """
@@ -42,10 +42,10 @@ def watched(label: str, limit_s: float | None) -> Iterator[Callable[[float], Non
     begin = monotonic()
     with bar(label) as show:
 
-        def tell(part: float) -> None:
+        def report(part: float) -> None:
             if show is not None:
                 show(part, 1.0)
             if limit_s is not None and monotonic() - begin >= limit_s:
                 raise OutOfTime(f"{limit_s:g} s have passed")
 
-        yield tell
+        yield report

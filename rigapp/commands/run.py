@@ -51,13 +51,13 @@ OFF_S = 3.0
 
 
 class Progress(Protocol):
-    """Show what happens to a test."""
+    """Show the milestones of a test."""
 
     def notice(self, notice: Notice) -> None:
         """Show one milestone."""
 
     def close(self) -> None:
-        """Show nothing more."""
+        """End the display."""
 
 
 def run_test(
@@ -89,9 +89,9 @@ def resume_test(
     *,
     reason: str = "",
 ) -> int:
-    """Go on with an interrupted test in its own file; return the exit status.
+    """Resume an interrupted test in its own file; return the exit status.
 
-    reason: why it may go on in spite of what ``resumption`` found; goes into the log.
+    reason: why it may resume in spite of what ``resumption`` found; goes into the log.
     """
     ended = end_whole_test(file)
     if ended is not None:
@@ -103,7 +103,7 @@ def resume_test(
 
 
 def examine_test(file: Path, rig: Path) -> int:
-    """Show what an interrupted test would meet if it went on; 1 when it could not as it is."""
+    """Show what a resumed test would find; 1 when it could not resume as it is."""
     document = read_rig(rig)
     with ending_as_interrupt():
         host = EngineHost(document, parse_speed(None, document))
@@ -176,7 +176,7 @@ def _conduct(
 
 
 def show_resumption(past: Resumption) -> None:
-    """Print what is there and what differs to standard error, one line each."""
+    """Print what was recorded and what differs to standard error, one line each."""
     last = ""
     if past.last_at:
         at = datetime.fromtimestamp(past.last_at, UTC).isoformat(" ", "seconds")
@@ -197,7 +197,7 @@ def show_resumption(past: Resumption) -> None:
 
 
 def _refuse_bad_target(out: Path) -> None:
-    """Refuse before anything is started what would be refused later anyway."""
+    """Refuse a target before anything is started."""
     if out.exists() or out.is_symlink():
         raise UnusableInput(
             f"{out}: the file exists and is not overwritten; give another name, or use"
@@ -216,10 +216,10 @@ def _report(end: Finished) -> int:
 
 
 class Interruption:
-    """Do what Ctrl-C, kill and a closed terminal ask for, whatever hangs.
+    """Handle Ctrl-C, kill and a closed terminal, even if something hangs.
 
-    While a test is under way the first stops it under control, the second takes the power off, a
-    third ends the process. Before, the first ends what starts, or the process if that hangs.
+    While a test is under way the first signal stops it under control, the second powers off the
+    drive, a third ends the process. Before, the first cancels the start, or ends the process.
     """
 
     def __init__(self, host: EngineHost, signals: list[str]) -> None:
@@ -231,11 +231,11 @@ class Interruption:
 
     @property
     def cause(self) -> str:
-        """Return what asked first, empty while nothing did."""
+        """Return the first signal, empty without one."""
         return self._signals[0] if self._signals else ""
 
     def obey(self, starting: Background[None]) -> None:
-        """Do what is asked for; to be called again and again, never waits."""
+        """Handle the signals so far; to be called again and again, never waits."""
         if not self._signals:
             return
         host, now = self._host, time.monotonic()
@@ -286,7 +286,7 @@ def _follow(
 def _not_started(
     error: BaseException, shown: Progress, interruption: Interruption, out: Path
 ) -> int:
-    """Return the exit status of an interrupted start; raise what else kept it from starting."""
+    """Return the exit status of an interrupted start; raise what else prevented it."""
     if not isinstance(error, Refused):
         raise error
     if interruption.cause:
@@ -311,7 +311,7 @@ class _Json:
         try:
             print(json_bytes(notice).decode(), flush=True)
         except OSError:
-            # Nobody listens any more, which is no reason to end a test.
+            # The reader has ended, which is no reason to end a test.
             sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - to the end of the process
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""What is said of rigs: `rigapp status` of engines that run, `rigapp wire` of recorded lines."""
+"""`rigapp status` of running engines, `rigapp reset`, and `rigapp wire` of recorded lines."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rigapp_drivers.api import DriveStatus
 from rigapp_drivers.registry import DriverNotFound, load_driver
 from rigapp_drivers.wire.trace import RecordKind, TraceError, WireRecord, WireTrace, read_trace
 
-ANSWER_S = 5.0  # far longer than an engine that runs takes
+ANSWER_S = 5.0  # far longer than a running engine takes
 
 
 def show_engines(rig: Path | None, *, as_json: bool) -> int:
@@ -85,7 +85,7 @@ def _requested(entry: Any) -> dict[str, Any]:
 
 
 def _state_words(result: Any) -> dict[str, str]:
-    """Return the state of a status in a word and in a line, as the window says them."""
+    """Return the state of a status in a word and in a line, as the window shows them."""
     from rigapp.presentation.states import state_details, state_line, state_word
 
     status = Status.of_tree(result)
@@ -101,7 +101,7 @@ def _indented(text: str) -> list[str]:
 
 
 def _finite(value: Any) -> Any:
-    """Return None for an infinite number, which JSON cannot tell."""
+    """Return None for an infinite number, which JSON does not have."""
     return None if isinstance(value, float) and value in (float("inf"), float("-inf")) else value
 
 
@@ -125,7 +125,7 @@ def _lines(engine: dict[str, Any]) -> list[str]:
 
 
 def reset_drive(rig_path: Path, load: LoadDriver = load_driver) -> int:
-    """Acknowledge what the drive holds, after its cause is removed; return the exit status.
+    """Reset the fault of the drive, after its cause is removed; return the exit status.
 
     The motor stays without power. Raises UnusableInput while an engine has the drive, DeviceError
     when the drive does not answer or keeps its fault.
@@ -149,7 +149,7 @@ def reset_drive(rig_path: Path, load: LoadDriver = load_driver) -> int:
 
 
 def _held(status: DriveStatus) -> str:
-    """Return what keeps a drive from turning, in words; empty when nothing does."""
+    """Return what prevents a drive from turning, in words; empty when nothing does."""
     stop = ("the emergency stop",) if status.emergency_stop else ()
     return ", ".join((*stop, *status.faults))
 
@@ -206,7 +206,7 @@ def report_lines(rig: Path, to: Path, seconds: float) -> int:
 
 
 def _report_sentence(client: Client) -> str:
-    """Return what came of the report, empty while it is recorded."""
+    """Return the result of the report, empty while it is recorded."""
     report = Status.of_tree(client.request("status").result).engine.line_report
     return report.sentence if report is not None else ""
 

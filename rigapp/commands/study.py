@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) -> int:
-    """Run or go on with a study; return the exit status.
+    """Run or resume a study; return the exit status.
 
     0: all points have a result; 1: some have none, or it was interrupted. Raises UnusableInput.
     """
@@ -23,7 +23,7 @@ def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) ->
     study = read_study(path)
     try:
         with bar("Study") as progress:
-            end = run_study(study, folder, scheduler, workers, progress, _told)
+            end = run_study(study, folder, scheduler, workers, progress, _remark)
     except KeyboardInterrupt:
         print(
             f"Interrupted: what is done is safe in {folder}; the same command goes on with it.",
@@ -34,7 +34,7 @@ def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) ->
     return 1 if end.failed else 0
 
 
-def _told(words: str) -> None:
+def _remark(words: str) -> None:
     print(f"{words}.", file=sys.stderr)
 
 

@@ -66,7 +66,7 @@ def show_queue(rig: Path, *, as_json: bool) -> int:
 
 
 def start_queue(rig: Path, operator: str) -> int:
-    """Let the rig's engine, started where none runs, work the queue through. Exit status.
+    """Let the rig's engine, started where none runs, run the queue. Exit status.
 
     Returns when the first test runs. Raises UnusableInput where it is refused.
     """
@@ -84,7 +84,7 @@ def start_queue(rig: Path, operator: str) -> int:
 
 
 def stop_queue(rig: Path, operator: str) -> int:
-    """Begin no other test of the queue; the one that runs goes on. Exit status."""
+    """Pause the queue after the running test. Exit status."""
     from rigapp.service.client import Client
     from rigapp.service.launch import find_engine
 
@@ -112,7 +112,7 @@ def _queue_after(client: Any, verb: str) -> Queue:
 
 
 def _wait_for_devices(client: Any) -> None:
-    """Wait while the engine opens its devices; what is wrong with them is told by the start."""
+    """Wait while the engine opens its devices; the start reports what is wrong with them."""
     deadline = time.monotonic() + CONNECTING_S
     while client.request("status").result["state"] in ("idle", "connecting"):
         if time.monotonic() > deadline:
@@ -129,7 +129,7 @@ def _shown_queue(queue: Queue) -> int:
 
 
 def show_ways(rig: Path | None) -> int:
-    """Print each way, when it tells, and what waits for it."""
+    """Print each way, its occasions, and what waits for it."""
     ways = _ways(rig)
     known = {}
     if rig is not None:
@@ -151,7 +151,7 @@ def show_ways(rig: Path | None) -> int:
 
 
 def try_ways(rig: Path | None) -> int:
-    """Send one message by every way and say what became of it; 1 when one did not arrive."""
+    """Send one message by every way and print the result; 1 when one was not sent."""
     ways = _ways(rig)
     wrong = inspected(ways)
     if wrong:
@@ -185,9 +185,7 @@ def _ways(rig: Path | None) -> DeliveryChannels:
 
 
 # `rigapp service`: engines and page that start with the computer, as systemd units of the user.
-#
-# An engine that is started so connects its devices and tells of a test that was cut off; nothing
-# turns by itself.
+# Such an engine connects its devices and reports a test that was cut off; nothing turns.
 
 PAGE = "rigapp-page.service"
 STOP_S = 150
@@ -211,13 +209,12 @@ RestartSec=10
 WantedBy=default.target
 """
 ENGINE_ENDING = f"KillMode=mixed\nTimeoutStopSec={STOP_S}\n"
-"""The engine alone is asked to end, and ends simulation, twin and messages when the spindle stands.
-"""
+"""Only the engine receives the signal; it ends simulation, twin and messages at standstill."""
 
 
 @dataclass(frozen=True, slots=True)
 class SystemdUnit:
-    """One unit: name of its file, its text, and what it is of (a rig file, or the page)."""
+    """One unit: name of its file, its text, and its subject (a rig file, or the page)."""
 
     name: str
     text: str
@@ -256,19 +253,19 @@ PROGRAM = module_command("rigapp")
 
 
 def escaped(text: str) -> str:
-    """Return a text as a unit's value: what systemd would replace stands for itself."""
+    """Return a text as a unit's value, with the characters escaped that systemd would replace."""
     return text.replace("\\", "\\\\").replace("%", "%%")
 
 
 def command_line(words: Sequence[str]) -> str:
-    """Return words as ``ExecStart=`` takes them (systemd.service, section Command lines)."""
+    """Return words as a value of ``ExecStart=`` (systemd.service, section Command lines)."""
     return " ".join(
         '"{}"'.format(escaped(word).replace('"', '\\"').replace("$", "$$")) for word in words
     )
 
 
 def units_folder() -> Path:
-    """Return where the user's units are."""
+    """Return the folder of the user's units."""
     return platformdirs.user_config_path("systemd") / "user"
 
 
@@ -302,14 +299,14 @@ def install_units(units: Sequence[SystemdUnit]) -> int:
 
 
 def rules_folder() -> Path:
-    """Return where the rules of this computer are."""
+    """Return the folder of this computer's udev rules."""
     return RULES_FOLDERS[0]
 
 
 def install_rules(folder: Path | None = None) -> int:
     """Write the udev rules for the ports where this user may; else print what to run. Exit status.
 
-    Rules that are there as they would be written, and a system without udev, need nothing.
+    Nothing is done where the rules are up to date, or without udev.
     """
     folder = folder or rules_folder()
     path, text = folder / RULES_NAME, port_rules(installed_drivers([]))
@@ -358,7 +355,7 @@ def remove_units(rigs: Sequence[Path]) -> int:
 
 
 def _owner(path: Path) -> str:
-    """Return what a unit file is of, empty where there is none."""
+    """Return the subject of a unit file, empty where there is none."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except FileNotFoundError:
@@ -370,12 +367,12 @@ def _owner(path: Path) -> str:
 
 
 def _systemctl(*arguments: str) -> bool:
-    """Ask the user's systemd for something; say on standard error why it was not done."""
+    """Call the user's systemd; print on standard error why it failed."""
     return _ran("systemctl", "--user", *arguments)
 
 
 def _ran(program: str, *arguments: str) -> bool:
-    """Run a program of the system; say on standard error why it did not do what it should."""
+    """Run a program of the system; print on standard error why it failed."""
     command = " ".join((program, *arguments[:2]))
     if shutil.which(program) is None:
         print(f"rigapp: there is no {program} here; the files are as told.", file=sys.stderr)
@@ -398,7 +395,7 @@ def _ran(program: str, *arguments: str) -> bool:
 
 
 def _lingers() -> bool:
-    """Tell whether the user's units live without a login; yes where nobody can tell."""
+    """Tell whether the user's units run without a login; True where unknown."""
     if shutil.which("loginctl") is None:
         return True
     try:

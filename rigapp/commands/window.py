@@ -1,4 +1,4 @@
-"""`rigapp gui`, `rigapp replay` and `rigapp page`: what shows a rig or a recorded test."""
+"""`rigapp gui`, `rigapp replay` and `rigapp page`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def open_window(rig: Path | None, test: Path | None, *, start: bool, language: str = "") -> int:
     """Show the operator's window until it is closed; return the exit status.
 
-    language: the code of the one to speak from now on; empty: as chosen before, or the system's.
+    language: the code of the one to use from now on; empty: as chosen before, or the system's.
     """
     begin_to_load()
     rig_path = (rig or examples_folder() / RIG).resolve()
@@ -56,7 +56,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
 
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:
-    """Return the test files to offer: the named one, then those beside the rig, shortest first."""
+    """Return the test files to list: the named one, then those beside the rig, shortest first."""
     result: list[Path] = []
     if test is not None:
         read_test(test)

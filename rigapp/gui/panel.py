@@ -1,7 +1,7 @@
-"""What a panel is, and what it may ask of the window that it is in.
+"""What a panel is, and what it may request from its window.
 
-A tab is a row of ``window.tabs.TABS``; its page is made by a function that is given the window as
-a ``Host``, and whatever draws on it is a ``Panel``, told the news by the one Protocol.
+A tab is a row of ``window.tabs.TABS``; its page is made by a function whose argument is the window
+as a ``Host``. Whatever draws on the page is a ``Panel``, which receives the news.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from rigapp.viewer.tasks import TaskWorker
 
 
 class Panel(Protocol):
-    """Draw what one takes of the news."""
+    """A widget that draws the part of the news named by ``takes``."""
 
     takes: Takes
 
@@ -49,15 +49,15 @@ class Themed(Protocol):
 
 @runtime_checkable
 class ThemedInParts(Protocol):
-    """A page with so much on it that its parts are put in a theme one after the other."""
+    """A large page, whose parts are put in a theme one after the other."""
 
     def parts(self) -> list[QWidget]:
-        """Return the parts; nothing that has a look of its own stands beside them."""
+        """Return the parts; nothing beside them needs the theme."""
         ...
 
 
 class StallCounter(Protocol):
-    """Tell how often and how long the window stood still."""
+    """How often and how long the window did not respond."""
 
     stalls: int
     worst_s: float
@@ -68,7 +68,7 @@ Read = Callable[[int, Callable[[StoredRevolution], None], Callable[[Exception], 
 
 
 class Act(enum.StrEnum):
-    """What a panel may ask the window to do."""
+    """What a panel may request from the window."""
 
     TRY = "try"
     PREPARE = "prepare"
@@ -80,7 +80,7 @@ class Act(enum.StrEnum):
 
 
 class Panels(dict[str, "Panel"]):
-    """The panels that are made so far, by name; who asks for another has its page made."""
+    """The panels made so far, by name; the page of a missing one is made on access."""
 
     make: Callable[[str], None] | None = None
 
@@ -96,12 +96,12 @@ class Panels(dict[str, "Panel"]):
 class Host:
     """The window, as the makers of pages see it.
 
-    ask: a request to the engine, whose answer the window shows. say: a sentence where answers
-    stand, and whether it is a good one. read_revolution: the saved cycle nearest to a revolution.
-    results: the recorded tests. do: go somewhere, begin something. help: show a section of
-    docs/troubleshooting.md, by its anchor. preferences: the user's choices. wear: has computed what
-    is known of it. rig: the rig file, None in a replay. keys: each key of the window, and what it
-    does.
+    ask: send a request to the engine; the window shows the answer. say: show a sentence with the
+    answers, and whether it reports success. read_revolution: read the saved cycle nearest to a
+    revolution. results: the recorded tests. do: open a page, begin something. help: show a section
+    of docs/troubleshooting.md, by its anchor. preferences: the user's choices. wear: computes what
+    is known of the wear. rig: the rig file, None in a replay. keys: each key of the window, and
+    what it does.
     """
 
     theme: Theme
@@ -125,6 +125,6 @@ class Host:
         return self.results.folder
 
     def add(self, name: str, panel: Added) -> Added:
-        """Tell a panel the news from now on, and dress it; return it."""
+        """Send a panel the news from now on, and apply the theme; return it."""
         self.panels[name] = panel
         return panel

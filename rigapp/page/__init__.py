@@ -1,8 +1,8 @@
-"""The live page: what engines say, for browsers and for Prometheus, and nothing that commands.
+"""The live page: state and data of engines, read-only, for browsers and for Prometheus.
 
-``rig`` looks at one engine, ``view`` says what is known of it, ``plots`` draws it,
-``fragments`` and ``metrics`` put it into words for browsers and Prometheus; ``watch`` does all that
-in a thread, ``access`` says who may ask, ``serving`` is the server: it keeps the newest for every
-page, bounds what a connection may take, and answers requests.
+``rig`` observes one engine, ``view`` reduces it to values, ``plots`` draws it, ``fragments`` and
+``metrics`` format it for browsers and Prometheus; ``watch`` does all that in a thread, ``access``
+holds the rules of access, ``serving`` is the server: it stores the newest for every page, bounds
+the resources of a connection, and answers requests.
 Others enter by ``serving``.
 """

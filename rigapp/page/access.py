@@ -1,6 +1,6 @@
-"""Who may ask the page, and how much: loopback freely, others with a token over TLS.
+"""The rules of access to the page: loopback is free, others need a token over TLS.
 
-What is refused is refused here, before anything else of the page hears of it.
+Requests are refused here, before anything else of the page handles them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from rigapp.service.security import interface_address
 MOST_HEADERS = 64
 """A browser sends about twenty."""
 HEAD_BYTES = 16384
-"""Of a request's head, as browsers and servers are used to."""
+"""Of a request's head, a usual limit of browsers and servers."""
 LONGEST_TARGET = 1024
 """Bytes of path and query: the page's own are shorter than thirty."""
 SHORTEST_TOKEN = 24
@@ -40,7 +40,7 @@ _LOOPBACK_HOST = re.compile(rb"(?i:localhost|127(?:\.\d{1,3}){3}|\[::1\])(?::\d{
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """An answer that is no."""
+    """The answer to a refused request."""
 
     status: int
     sentence: str
@@ -49,7 +49,7 @@ class Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """Where the page listens and who may ask. token: empty where none is asked for."""
+    """Where the page listens and the rules of access. token: empty where none is required."""
 
     address: str
     port: int
@@ -77,7 +77,7 @@ class Access:
         named = dict(headers)
         if named.get(b"content-length", b"0").strip(b"0") or b"transfer-encoding" in named:
             return _refused(413, "This page takes nothing in.")
-        # A page of elsewhere whose name was made to mean this computer must not read this one.
+        # A foreign page whose name resolves to this computer (DNS rebinding) must not read it.
         if self.loopback and not _LOOPBACK_HOST.fullmatch(named.get(b"host", b"localhost")):
             return _refused(421, "Ask this page by localhost or 127.0.0.1.")
         if self.token and not self._knows(named.get(b"authorization", b"")):
@@ -87,9 +87,9 @@ class Access:
             )
         return None
 
-    def _knows(self, shown: bytes) -> bool:
+    def _knows(self, header: bytes) -> bool:
         """Tell whether an Authorization header carries the token, as bearer or as password."""
-        kind, _, secret = shown.partition(b" ")
+        kind, _, secret = header.partition(b" ")
         if kind.lower() == b"basic":
             try:
                 secret = b64decode(secret, validate=True).partition(b":")[2]
@@ -153,34 +153,34 @@ def _refused(status: int, sentence: str, **headers: str) -> Refusal:
     return Refusal(status, sentence, {**headers, "Connection": "close"})
 
 
-# Let connections in, bounded before a byte is read: what has not greeted yet counts as well.
+# Accept connections within bounds that include the handshake.
 #
-# The server counts a connection when its protocol begins, which over TLS is after the handshake. A
-# stranger who connects and says nothing would take one descriptor after the other until the page
-# has none left, for its engines neither. Here the oldest that has not greeted makes room for the
-# newest: who does greet is through within a moment, whoever else waits.
+# The server counts a connection when its protocol begins, which over TLS is after the handshake.
+# Silent connections would take one descriptor after the other until none is left, not even for the
+# engines. Here the oldest one in its handshake is dropped for the newest: a real handshake is done
+# within a moment, however many wait.
 
 MOST_CONNECTIONS = 128
 """Each holds at most SEND_BYTES twice; the system allows 1024 open files by default."""
 MOST_GREETING = 64
-"""In the handshake, each for some 50 ms: as many telephones come back after a power cut."""
+"""In the handshake, each for some 50 ms: as many telephones may return after a power cut."""
 ENDS_HELD = 64
-"""Ended connections whose memory waits. What a handshake that fails leaves refers to itself, some
-70 kB of which Python counts a hundred small objects: its own searches come after thousands."""
+"""Ended connections between garbage collections. A failed handshake leaves a cycle of some 70 kB,
+in a hundred small objects: Python's own collections come after thousands."""
 SHARE = 4
 """One part of the open files that the system allows is for connections, the others for engines."""
 
 
 def reset(line: Any) -> None:
-    """Let a connection end at once; else the system keeps what was not taken, for minutes."""
+    """End a connection at once; else the system stores what was not read, for minutes."""
     line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
 
 
 class Gate(socket.socket):
-    """A listening socket that accepts no more than it may; ``dropped`` counts those let go."""
+    """A listening socket with bounds; ``dropped`` counts the connections it ended."""
 
     def __init__(self, listening: socket.socket) -> None:
-        """Take over a socket that listens."""
+        """Take over a listening socket."""
         super().__init__(listening.family, listening.type, fileno=listening.detach())
         self.dropped = 0
         allowed = _allowed_files()
@@ -193,8 +193,8 @@ class Gate(socket.socket):
     def accept(self) -> tuple[socket.socket, Any]:
         """Return the next connection; raise ConnectionAbortedError where there is no room.
 
-        After some, raise BlockingIOError as if there were no more: asyncio would accept all that
-        wait, two thousand, before it looks at the first.
+        After some, raise BlockingIOError as if there were no more: asyncio would accept all waiting
+        ones, two thousand, before it handles the first.
         """
         self._in_a_row += 1
         if self._in_a_row > self._most_greeting:
@@ -217,11 +217,11 @@ class Gate(socket.socket):
         return guest, peer
 
     def greeted(self, descriptor: int) -> None:
-        """Take note that the protocol of a connection has begun: it has limits of its own."""
+        """Register that the protocol of a connection has begun, which has its own limits."""
         self._greeting.pop(descriptor, None)
 
     def gone(self, guest: Guest) -> None:
-        """Take note that a connection is closed."""
+        """Register that a connection is closed."""
         if self._greeting.get(guest.fileno()) is guest:
             del self._greeting[guest.fileno()]
         self._ends += 1
@@ -237,7 +237,7 @@ class Gate(socket.socket):
         super().close()
 
     def _turn_away(self) -> None:
-        """Accept one by the descriptor that is kept for it, and close it; else it would wait."""
+        """Accept one with the spare descriptor, and close it; else it would wait."""
         self.dropped += 1
         os.close(self._spare)
         try:
@@ -250,19 +250,19 @@ class Gate(socket.socket):
 
 
 class Guest(socket.socket):
-    """An accepted connection that tells the gate when it is closed."""
+    """An accepted connection that reports its end to the gate."""
 
     def __init__(self, gate: Gate, descriptor: int) -> None:
         super().__init__(gate.family, gate.type, gate.proto, fileno=descriptor)
         self._gate = gate
 
     def close(self) -> None:
-        """Close, and give the place back."""
+        """Close, and free the place."""
         self._gate.gone(self)
         super().close()
 
     def let_go(self) -> None:
-        """End a connection that others read from: they see its end and close it."""
+        """End a connection that the server reads from, which then closes it."""
         reset(self)
         self.shutdown(socket.SHUT_RDWR)
 

@@ -1,7 +1,7 @@
-"""Set what is known of a rig as fragments of HTML, the same for every page that is open.
+"""Format a rig as fragments of HTML, the same for every open page.
 
-A fragment is the inside of one element; the page takes it as it is. Words come from engines and
-files, so the templates escape every one of them; only ``plots`` makes elements of its own.
+A fragment is the inside of one element; the page inserts it unchanged. Words come from engines and
+files, so the templates escape every one of them; only ``plots`` makes elements.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from rigapp.presentation.tokens import DARK, LIGHT, Theme
 from rigapp.schema.details import details_of, sentence_of
 from rigapp.schema.wire import json_bytes
 
-RESTART_TOLD_S = 600.0
-"""So long the page says that the engine was started anew; who looks later sees a running test."""
+RESTART_SHOWN_S = 600.0
+"""For so long the page shows that the engine was started anew."""
 PARTS = ("head", "force", "trends", "log")
-"""The fragments of a rig, in the order in which they stand."""
+"""The fragments of a rig, in their order."""
 
 
 @cache
@@ -46,17 +46,17 @@ def _templates() -> Environment:
 
 def head(view: RigView, now: float) -> str:
     """Return state, tiles and limits of a rig; now: UTC seconds since 1970."""
-    fresh_start = view.restarts > 0 and now - view.restarted_at < RESTART_TOLD_S
+    fresh_start = view.restarts > 0 and now - view.restarted_at < RESTART_SHOWN_S
     return _templates().get_template("head.html").render(view=view, fresh_start=fresh_start)
 
 
 def log(view: RigView) -> str:
-    """Return the alarms that stand and the last notes."""
+    """Return the active alarms and the last notes."""
     return _templates().get_template("log.html").render(view=view)
 
 
 def pictures(plots: Sequence[Plot | None]) -> str:
-    """Return plots with their titles and legends; None: not there yet."""
+    """Return plots with their titles and legends; None: without data yet."""
     return _templates().get_template("plots.html").render(plots=[plot for plot in plots if plot])
 
 

@@ -1,7 +1,7 @@
-"""What is known of every rig as Prometheus metrics, in a registry of its own.
+"""Every rig as Prometheus metrics, in a separate registry.
 
-Numbers are collected when they are asked for, from what the watching thread knew last: a scrape
-reaches no engine. A rig whose engine does not speak keeps ``rigapp_up`` 0 and its silence alone.
+Numbers are collected at a request, from the newest views of the watching thread: a scrape reaches
+no engine. A rig whose engine does not answer has only ``rigapp_up`` 0 and its silence.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ Samples = list[tuple[dict[str, str], float]]
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
-    """A metric of a rig: its name, what it means, its samples by their labels beside ``rig``.
+class RigMetric:
+    """A metric of a rig: its name, its meaning, its samples by their labels beside ``rig``.
 
-    silent: it is told of a rig whose engine does not speak, too.
+    silent: also for a rig whose engine does not answer.
     """
 
     name: str
@@ -78,7 +78,7 @@ def _states(view: RigView) -> Samples:
 
 
 def _limits_used(view: RigView) -> Samples:
-    # Two levels of one limit are told by the one that comes next, so each is there once.
+    # Of two levels of one limit only the next one is there, so each limit is there once.
     return [
         (
             {
@@ -114,116 +114,124 @@ def _devices(pick: str) -> Callable[[RigView], Samples]:
     ]
 
 
-TOLD = (
-    Told("rigapp_up", "1 while the engine speaks", _one(lambda v: float(v.attached)), silent=True),
-    Told(
+RIG_METRICS = (
+    RigMetric(
+        "rigapp_up", "1 while the engine speaks", _one(lambda v: float(v.attached)), silent=True
+    ),
+    RigMetric(
         "rigapp_silence_seconds",
         "time since the engine's last word",
         _one(lambda v: v.silence_s),
         silent=True,
     ),
-    Told(
+    RigMetric(
         "rigapp_engine_restarts_total",
         "how often another engine came in place of the one before",
         _one(lambda v: v.restarts),
         counter=True,
         silent=True,
     ),
-    Told("rigapp_state", "1 for the state of the run", _states, ("state",)),
-    Told("rigapp_revolution", "number of the newest revolution", _one(lambda v: v.revolution)),
-    Told("rigapp_revolutions_planned", "planned revolutions", _one(lambda v: v.planned)),
-    Told("rigapp_rows_committed", "rows safe in the file of the test", _one(lambda v: v.committed)),
-    Told(
+    RigMetric("rigapp_state", "1 for the state of the run", _states, ("state",)),
+    RigMetric("rigapp_revolution", "number of the newest revolution", _one(lambda v: v.revolution)),
+    RigMetric("rigapp_revolutions_planned", "planned revolutions", _one(lambda v: v.planned)),
+    RigMetric(
+        "rigapp_rows_committed", "rows safe in the file of the test", _one(lambda v: v.committed)
+    ),
+    RigMetric(
         "rigapp_rows_dropped_total",
         "rows that were not sent to viewers in time; the file has them",
         _one(lambda v: v.rows_dropped),
         counter=True,
     ),
-    Told("rigapp_data_age_seconds", "age of the newest sample", _one(lambda v: v.data_age_s)),
-    Told("rigapp_prediction_age_seconds", "age of the prediction", _one(lambda v: v.twin_age_s)),
-    Told(
+    RigMetric("rigapp_data_age_seconds", "age of the newest sample", _one(lambda v: v.data_age_s)),
+    RigMetric(
+        "rigapp_prediction_age_seconds", "age of the prediction", _one(lambda v: v.twin_age_s)
+    ),
+    RigMetric(
         "rigapp_speed_rpm", "speed of the crank, revolutions a minute", _one(lambda v: v.speed_rpm)
     ),
-    Told("rigapp_target_speed_rpm", "speed that is wanted", _one(lambda v: v.target_rpm)),
-    Told(
+    RigMetric("rigapp_target_speed_rpm", "speed that is wanted", _one(lambda v: v.target_rpm)),
+    RigMetric(
         "rigapp_planned_end_timestamp_seconds",
         "when the planned revolutions are done, UTC",
         _one(lambda v: v.expected_end_at or None),
     ),
-    Told(
+    RigMetric(
         "rigapp_smallest_margin_percent",
         "distance of the newest revolution to the nearest limit",
         _one(lambda v: v.worst_margin_percent),
     ),
-    Told(
+    RigMetric(
         "rigapp_limit_used_ratio",
         "how much of the way to a limit is used, 1 at the limit",
         _limits_used,
         ("quantity", "action", "limit"),
     ),
-    Told(
+    RigMetric(
         "rigapp_force_newtons",
         "size of the joint's force over the newest revolution",
         _statistics("force"),
         ("statistic",),
     ),
-    Told("rigapp_residual_newtons", "RMS of measured less predicted", _column("residual_rms")),
-    Told(
+    RigMetric("rigapp_residual_newtons", "RMS of measured less predicted", _column("residual_rms")),
+    RigMetric(
         "rigapp_wear_depth_metres",
         "wear depth from the probes",
         _column("measured_wear_depth", M_PER_MM),
     ),
-    Told(
+    RigMetric(
         "rigapp_wear_depth_uncertainty_metres",
         "its expanded uncertainty (k = 2)",
         _column("measured_wear_depth_uncertainty", M_PER_MM),
     ),
-    Told(
+    RigMetric(
         "rigapp_model_wear_depth_metres", "wear depth by the model", _column("wear_depth", M_PER_MM)
     ),
-    Told(
+    RigMetric(
         "rigapp_wear_coefficient_mm3_per_newton_metre",
         "wear coefficient with its 95 % limits",
         _with_limits(COEFFICIENT),
         ("bound",),
     ),
-    Told(
+    RigMetric(
         "rigapp_remaining_revolutions",
         "revolutions until the final wear depth with their 95 % limits",
         _with_limits(REMAINING),
         ("bound",),
     ),
-    Told("rigapp_alarms", "active alarms", _alarms, ("severity", "acknowledged")),
-    Told("rigapp_device_connected", "1 while connected", _devices("connected"), ("device",)),
-    Told(
+    RigMetric("rigapp_alarms", "active alarms", _alarms, ("severity", "acknowledged")),
+    RigMetric("rigapp_device_connected", "1 while connected", _devices("connected"), ("device",)),
+    RigMetric(
         "rigapp_device_lost_samples_total",
         "samples lost since the connection",
         _devices("lost_samples"),
         ("device",),
         counter=True,
     ),
-    Told(
+    RigMetric(
         "rigapp_device_errors_total",
         "errors of the device since the connection",
         _devices("errors"),
         ("device",),
         counter=True,
     ),
-    Told("rigapp_disk_free_bytes", "room on the file's disk", _one(lambda v: v.disk_free_bytes)),
-    Told("rigapp_disk_size_bytes", "size of that disk", _one(lambda v: v.disk_total_bytes)),
-    Told(
+    RigMetric(
+        "rigapp_disk_free_bytes", "room on the file's disk", _one(lambda v: v.disk_free_bytes)
+    ),
+    RigMetric("rigapp_disk_size_bytes", "size of that disk", _one(lambda v: v.disk_total_bytes)),
+    RigMetric(
         "rigapp_engine_cpu_seconds_total",
         "processor time of the engine",
         _process("cpu_seconds"),
         counter=True,
     ),
-    Told(
+    RigMetric(
         "rigapp_engine_resident_memory_bytes",
         "memory of the engine",
         _process("resident_memory_bytes"),
     ),
-    Told("rigapp_engine_threads", "threads of the engine", _process("threads")),
-    Told(
+    RigMetric("rigapp_engine_threads", "threads of the engine", _process("threads")),
+    RigMetric(
         "rigapp_engine_start_timestamp_seconds",
         "when the engine began, UTC",
         _process("started_at"),
@@ -234,7 +242,7 @@ TOLD = (
 
 @dataclass(frozen=True, slots=True)
 class PageNumbers:
-    """How the page itself is: open pages, connections, connections dropped as too slow."""
+    """State of the page itself: open pages, connections, connections dropped as too slow."""
 
     readers: int
     connections: int
@@ -242,7 +250,7 @@ class PageNumbers:
 
 
 class Metrics(Collector):
-    """The metrics of the rigs, the page and its process, made when they are asked for."""
+    """The metrics of the rigs, the page and its process, made at a request."""
 
     def __init__(
         self, views: Callable[[], Sequence[RigView]], page: Callable[[], PageNumbers]
@@ -260,7 +268,7 @@ class Metrics(Collector):
         """Yield every metric with a sample."""
         views = self._views()
         rigs = _apart(views)
-        for metric in TOLD:
+        for metric in RIG_METRICS:
             kind = CounterMetricFamily if metric.counter else GaugeMetricFamily
             family = kind(metric.name, metric.words, labels=("rig", *metric.labels))
             for view in views:

@@ -26,9 +26,8 @@ from rigapp.viewer.quantities import (
 from rigapp.viewer.ranges import SteadyRange, round_places
 from rigapp.viewer.series import SeriesTable
 
-# Draw curves as SVG: lines and words alone, every colour from the page's style sheet.
-#
-# A drawing is as wide as a telephone and grows with its place, so that one serves every page.
+# Curves are drawn as SVG: lines and words, every colour from the page's style sheet. A drawing is
+# as wide as a telephone and scales with its place, so that one is right for every page.
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +50,7 @@ class Curve:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ribbon:
-    """What lies between two lines, (n,) each, NaN where it breaks; role: of its colour."""
+    """The area between two lines, (n,) each, NaN where it breaks; role: of its colour."""
 
     x: Floats
     low: Floats
@@ -61,7 +60,7 @@ class Ribbon:
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """What is drawn. across: the range of x; low, high: what the axis of y is to show at least."""
+    """Contents of a drawing. across: the range of x; low, high: least range of the y axis."""
 
     title: str
     x_axis: str
@@ -74,7 +73,7 @@ class Drawing:
 
 
 def svg(drawing: Drawing, steady: SteadyRange) -> str:
-    """Return a drawing as an SVG element; steady: keeps the axis of y from one to the next."""
+    """Return a drawing as an SVG element; steady: keeps the y axis from one to the next."""
     steady.update(drawing.low, drawing.high)
     frame = _Frame(drawing.across, steady.range or (0.0, 1.0))
     curves = [
@@ -94,14 +93,14 @@ def svg(drawing: Drawing, steady: SteadyRange) -> str:
 
 
 class _Frame:
-    """Where values stand in a drawing."""
+    """Places of values in a drawing."""
 
     def __init__(self, across: tuple[float, float], upward: tuple[float, float]) -> None:
         self.width, self.height = WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM
         self._across, self._upward = across, upward
 
     def line(self, x: Floats, y: Floats) -> str:
-        """Return the path of a line; what is not known breaks it."""
+        """Return the path of a line, interrupted at NaN."""
         words, pen = [], "M"
         for x_px, y_px in zip(self._x(x), self._y(y), strict=True):
             if math.isfinite(x_px) and math.isfinite(y_px):
@@ -175,12 +174,12 @@ _LIMITED = {
         "Revolutions that remain, 95 %", "Revolutions", 100.0, (), (TrendLine("", "first", ""),)
     ),
 }
-"""What is known with limits of its own, in columns of their own."""
+"""Quantities with their limits in separate columns."""
 
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """A drawing with what stands above it: title and legend (role and words)."""
+    """A drawing with its title and legend (role and words)."""
 
     title: str
     legend: tuple[tuple[str, str], ...]
@@ -212,7 +211,7 @@ class Painter:
         return self._plot("force", _fitted(title, "Crank angle (°)", "Force (N)", curves), 0.0)
 
     def trends(self, news: News) -> list[Plot]:
-        """Return the trends of which something is known."""
+        """Return the trends that have data."""
         quantities = trend_quantities(news.data.channels)
         free = [channel.name for channel in news.data.channels.free]
         names = [name for name in (LARGEST, "wear", "residual", *free) if name in quantities]
@@ -282,7 +281,7 @@ def _fitted(title: str, x_axis: str, y_axis: str, curves: list[Curve]) -> Drawin
 
 
 def _curve(line: TrendLine, predicted: bool, curve: Drawn) -> Curve:
-    """Return a trend's line: what the model says has its colour, whatever it is beside."""
+    """Return a trend's line; a line of the model always has the model's colour."""
     measured = not predicted or line.column.startswith(("measured_", "residual", *_LIMITED))
     role = line.role if measured else "model"
     return Curve(curve.x, curve.y, role, line.text if measured else "model")
@@ -291,7 +290,7 @@ def _curve(line: TrendLine, predicted: bool, curve: Drawn) -> Curve:
 def _ribbons(
     name: str, line: TrendLine, table: SeriesTable, quantity: TrendQuantity
 ) -> Iterable[Ribbon]:
-    """Return the band of a line, if it has one: its uncertainty, or limits of its own."""
+    """Return the band of a line, if it has one: its uncertainty, or its separate limits."""
     if name in _LIMITED:
         rows = rows_in_view(table, EVERYTHING)
         low, high = (

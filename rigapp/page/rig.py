@@ -1,4 +1,4 @@
-"""Look at one engine: attach when it is there, attach again when it comes back, ask it nothing."""
+"""Observe one engine: attach, attach again after a loss, send no request."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ from rigapp.viewer.showntest import ShownTest
 from rigapp.viewer.tasks import TaskWorker
 
 DISK_EVERY_S = 10.0
-"""A disk fills in hours; asking one that hangs must not be asked twice."""
+"""A disk fills in hours; while a query hangs no second one is made."""
 
 KEPT_ROWS = 1 << 10
-"""Newest rows held as they are: a page draws 150 buckets of a test, and its newest values."""
+"""Newest rows held unreduced: a page draws 150 buckets of a test, and its newest values."""
 
 Find = Callable[[], EngineEntry]
-"""Return the entry of the engine that runs; raise EngineUnreachable or UnusableInput."""
+"""Return the entry of the running engine; raise EngineUnreachable or UnusableInput."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class DiskSpace:
 
 
 class Observer:
-    """Take an engine's snapshots. What it is asked to request it refuses itself."""
+    """Receive an engine's snapshots; every request is refused locally."""
 
     operator = ""
 
@@ -60,19 +60,19 @@ class Observer:
         return Reply(ok=False, sentence=f"The page only looks on: {verb} is not asked for.")
 
     def close(self) -> None:
-        """Detach; the engine goes on."""
+        """Detach; the engine continues."""
         self._client.close()
 
 
-def engine_named(given: Path) -> tuple[str, Find]:
+def engine_named(path: Path) -> tuple[str, Find]:
     """Return the name and the finder of the engine of a rig file, or of an entry file (.json).
 
     Raises UnusableInput when the file cannot be read.
     """
-    if given.suffix == ".json":
-        entry = read_entry(given)
-        return Path(entry.rig).stem, partial(read_entry, given)
-    return read_rig(given).record.name, partial(_found, given)
+    if path.suffix == ".json":
+        entry = read_entry(path)
+        return Path(entry.rig).stem, partial(read_entry, path)
+    return read_rig(path).record.name, partial(_running, path)
 
 
 def engines_here() -> dict[str, tuple[str, Find]]:
@@ -83,10 +83,10 @@ def engines_here() -> dict[str, tuple[str, Find]]:
     elsewhere = os.environ.get("RIGAPP_ENGINE")
     entries = [read_entry(Path(elsewhere))] if elsewhere else running_engines()
     rigs = {entry.rig: Path(entry.rig) for entry in entries}
-    return {key: (rig.stem, partial(_found, rig)) for key, rig in rigs.items()}
+    return {key: (rig.stem, partial(_running, rig)) for key, rig in rigs.items()}
 
 
-def _found(rig: Path) -> EngineEntry:
+def _running(rig: Path) -> EngineEntry:
     entry = find_engine(rig)
     if entry is None:
         raise EngineUnreachable(f"no engine runs for {rig.name}")
@@ -94,10 +94,10 @@ def _found(rig: Path) -> EngineEntry:
 
 
 class WatchedRig:
-    """The line to one engine and what it has told; every method is called by one thread."""
+    """The connection to one engine and its newest state; one thread calls every method."""
 
     def __init__(self, identity: str, name: str, find: Find) -> None:
-        """Begin to look for the engine; identity: of its place on the page, name: before it."""
+        """Begin to search the engine; identity: of its place on the page, name: until found."""
         self.identity = identity
         self._name = name
         self._find = find
@@ -125,18 +125,18 @@ class WatchedRig:
 
     @property
     def name(self) -> str:
-        """Return what the engine calls the rig, else what was known of it before."""
+        """Return the engine's name of the rig, else the name known before."""
         status = self._connection.status
         return (status.rig.name if status is not None else "") or self._name
 
     @property
     def line(self) -> tuple[str, str]:
-        """Return how the line to the engine is, and why, in words."""
+        """Return the state of the connection, and why, in words."""
         return self._connection.state.value, self._connection.reason
 
     @property
     def problem(self) -> str:
-        """Return what hinders reading the test's file, empty where nothing does."""
+        """Return what prevents reading the test's file, empty where nothing does."""
         return self._shown.problem or self._shown.log_problem
 
     @property
@@ -160,7 +160,7 @@ class WatchedRig:
         )
 
     def close(self) -> None:
-        """Let go of the engine, which goes on."""
+        """Detach from the engine, which continues."""
         self._connection.close()
         self._shown.close()
         self._disk_worker.close()

@@ -1,4 +1,4 @@
-"""Serve the page: the socket, the server, the thread that looks at the rigs, and their end."""
+"""Serve the page: the socket, the server, the thread that watches the rigs, and their end."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ from rigapp.page.rig import engine_named, engines_here
 from rigapp.page.watch import Rigs, Watch
 from rigapp.schema.wire import json_bytes
 
-# The newest of everything for every page: a slot a fragment, newest wins, nothing queues up.
+# The newest of everything for every page: a slot for each fragment, newest wins, nothing queues up.
 #
-# A page holds only which version of each slot it has been sent. While it does not read, what is new
-# takes the place of what it has not seen; so a page costs the same whether it reads or not.
+# The state of a page is only which version of each slot was sent. While it does not read, new
+# frames replace unsent ones; so a page costs the same whether it reads or not.
 
 MOST_SLOTS = 200
 """Three a rig, and as many rigs as a page holds, leave room to spare."""
@@ -50,7 +50,7 @@ class Hub:
         self.readers = 0
 
     def publish(self, frames: Mapping[str, bytes]) -> None:
-        """Take frames by the names of their slots; what is as before is no news."""
+        """Store frames by the names of their slots; unchanged ones are ignored."""
         for name, frame in frames.items():
             known = self._slots.get(name)
             if known is None and len(self._slots) >= MOST_SLOTS:
@@ -62,7 +62,7 @@ class Hub:
         self._wake()
 
     def close(self) -> None:
-        """Let every page end."""
+        """End every page."""
         self._closed = True
         self._wake()
 
@@ -87,24 +87,24 @@ class Hub:
         self._changed = asyncio.Event()
 
 
-# One connection of a browser, bounded: in number, in time for a request, in time for an answer.
+# Connections of browsers are bounded in number, in time for a request, in time for an answer.
 #
-# uvicorn bounds the size of a request's head. Here a connection that sends no whole request in
-# ``REQUEST_S`` is dropped, and one that does not take what it was sent within ``READ_S``: the page
-# that is behind it fetches the newest when it comes back.
+# uvicorn bounds the size of a request's head. Here a connection that sends no complete request in
+# ``REQUEST_S`` is dropped, and one that does not read what it was sent within ``READ_S``: its page
+# fetches the newest when it connects again.
 
 REQUEST_S = 10.0  # a telephone at the edge of its network takes three
-READ_S = 15.0  # a screen that was locked for a moment goes on where it was
+READ_S = 15.0  # a screen that was locked for a moment continues
 LOOK_S = 1.0
 SEND_BYTES = 1 << 17
-"""The system keeps so much that is sent and not taken: two rigs' plots."""
+"""The system buffers so much that is sent and not read: two rigs' plots."""
 
 
 class BoundedConnection(H11Protocol):
-    """A connection that holds nothing for longer than it may."""
+    """A connection with bounded times."""
 
-    def __init__(self, gate: Gate, **given: Any) -> None:
-        super().__init__(**given)
+    def __init__(self, gate: Gate, **options: Any) -> None:
+        super().__init__(**options)
         self._gate = gate
         self._look_again: asyncio.TimerHandle | None = None
         self.requested_at = self._taken_at = self.loop.time()
@@ -117,7 +117,7 @@ class BoundedConnection(H11Protocol):
         self._gate.greeted(line.fileno())
         self._look()
         if len(self.connections) > self._gate.most:
-            # The newest is among them; who has asked for something stays.
+            # The newest is among them; a connection with a request stays.
             silent = [
                 connection
                 for connection in self.connections
@@ -141,7 +141,7 @@ class BoundedConnection(H11Protocol):
             self.transport.close()
 
     def _look(self) -> None:
-        """Drop the connection when it takes too long to ask, or to take the answer."""
+        """Drop the connection when it takes too long to send a request, or to read the answer."""
         now = self.loop.time()
         if self.cycle is not None and not self.cycle.response_complete:
             self.requested_at = now
@@ -153,14 +153,14 @@ class BoundedConnection(H11Protocol):
             self._look_again = self.loop.call_later(LOOK_S, self._look)
 
     def drop(self) -> None:
-        """Let the connection end."""
+        """End the connection."""
         self._gate.dropped += 1
         reset(self.transport.get_extra_info("socket"))
         self.transport.abort()
 
 
 MOST_PAGES = 100
-"""Open pages; a laboratory has fewer screens, and the connections that are left ask for numbers."""
+"""Open pages; a laboratory has fewer screens, and other connections stay free for metrics."""
 
 ALWAYS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self';"
@@ -171,7 +171,7 @@ ALWAYS = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "Cache-Control": "no-store",
 }
-"""Headers of every answer: nothing from elsewhere, nothing for others, nothing is kept."""
+"""Headers of every answer: nothing from other sites, nothing for them, nothing is cached."""
 
 _KINDS = {"css": "text/css", "js": "text/javascript", "svg": "image/svg+xml"}
 
@@ -237,7 +237,7 @@ def _assets() -> dict[str, bytes]:
 
 
 class _Door:
-    """Refuse what the rules of access refuse, and give every answer its headers."""
+    """Apply the rules of access, and add the headers to every answer."""
 
     def __init__(self, inner: ASGIApp, access: Access) -> None:
         self._inner = inner
@@ -257,16 +257,16 @@ class _Door:
         await answer(scope, receive, guarded)
 
 
-KEEP_S = 5  # so long stays a connection open that asks nothing more
+KEEP_S = 5  # a connection without a further request stays open for so long
 RECORD_BYTES = 1 << 14  # the longest of TLS; asyncio's own choice is 256 kB a connection
-END_S = 3  # so long may answers under way take when the page ends
+END_S = 3  # limit for answers under way when the page ends
 
 
 class PageServer(uvicorn.Server):
     """A server of the page, which begins and ends with its watching thread."""
 
     def __init__(self, access: Access, rigs: Callable[[], Rigs]) -> None:
-        """Listen at once; raise UnusableInput where the address cannot be had."""
+        """Listen at once; raise UnusableInput where the address is not available."""
         SSLProtocol.max_size = RECORD_BYTES
         self.failure = ""
         self._hub = Hub()
@@ -296,11 +296,11 @@ class PageServer(uvicorn.Server):
         )
 
     def serve_until_ended(self) -> None:
-        """Serve until a signal, or ``should_exit``, asks for the end."""
+        """Serve until a signal, or until ``should_exit`` is set."""
         self.run([self._socket])
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        """Begin to serve and to look."""
+        """Begin to serve and to watch."""
         await super().startup(sockets)
         loop = asyncio.get_running_loop()
 
@@ -310,7 +310,7 @@ class PageServer(uvicorn.Server):
         self._watch.start(publish)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        """Look no more, let every page end, then the server."""
+        """Stop watching, end every page, then the server."""
         await asyncio.to_thread(self._watch.close)
         self._hub.close()
         await super().shutdown(sockets)

@@ -1,4 +1,4 @@
-"""What is known of a rig at one moment, as plain values: for the page, its API and the metrics."""
+"""The state of a rig at one moment, as plain values: for the page, its API and the metrics."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ NOTE_SHOWN = 300
 
 
 class LimitView(msgspec.Struct, frozen=True):
-    """A quantity beside its limit; used: share of the way to it, 0 to 1.
+    """A quantity with its limit; used: share of the way to it, 0 to 1.
 
     mark: of the alarms about the quantity, and of its age; see ``RigView.tile_marks``.
     """
@@ -65,7 +65,7 @@ class NoteView(msgspec.Struct, frozen=True):
 
 
 class ProcessView(msgspec.Struct, frozen=True):
-    """How the engine's process is."""
+    """The engine's process."""
 
     pid: int
     cpu_seconds: float
@@ -75,13 +75,13 @@ class ProcessView(msgspec.Struct, frozen=True):
 
 
 class RigView(msgspec.Struct, frozen=True):
-    """What is known of a rig at one moment.
+    """The state of a rig at one moment.
 
     line: attaching, attached, silent or lost, with why in ``sentence``. state_word, state_line: the
-    state and what is next, as the window says them. values: newest statistics
-    and predictions by the names of their columns, of those that are known. wear: those of the wear
-    coefficient (mm^3/(N m)) and of the revolutions that remain, with 95 % limits. tile_marks: of
-    each tile, "warning" or "critical" by the alarms about it, "old" by its age. null: not known.
+    state and the next step, as in the window. values: newest statistics and predictions by the
+    names of their columns, of those that are known. wear: those of the wear coefficient
+    (mm^3/(N m)) and of the remaining revolutions, with 95 % limits. tile_marks: of each tile,
+    "warning" or "critical" by the alarms about it, "old" by its age. null: not known.
     """
 
     identity: str
@@ -128,12 +128,12 @@ class RigView(msgspec.Struct, frozen=True):
 
     @property
     def attached(self) -> bool:
-        """Tell whether the engine speaks."""
+        """Tell whether the engine answers."""
         return self.line == ConnectionState.ATTACHED
 
 
 def view_of(rig: WatchedRig, news: News) -> RigView:
-    """Return what is known of a rig now."""
+    """Return the present state of a rig."""
     line, sentence = rig.line
     shown = RigView(
         rig.identity, rig.name, line, sentence, rig.restarts, rig.restarted_at,
@@ -216,7 +216,7 @@ def _notes(news: News) -> list[NoteView]:
 
 
 def _tiles(news: News) -> list[FreeValue]:
-    """Return what is read first, each with a word below it."""
+    """Return the tiles, the most important first, each with a word below it."""
     status = news.status
     assert status is not None
     test = status.test or NO_TEST
@@ -261,7 +261,7 @@ def _tiles(news: News) -> list[FreeValue]:
 
 
 def _step(status: Status) -> list[FreeValue]:
-    """Return the tile of the step, nothing for a test without steps."""
+    """Return the tile of the step, none for a test without steps."""
     test = status.test or NO_TEST
     if not test.step:
         return []
@@ -287,7 +287,7 @@ def _depth(news: News) -> list[FreeValue]:
 
 
 def _process(pid: int) -> ProcessView | None:
-    """Return how the engine's process is, None for one that ended or runs elsewhere."""
+    """Return the engine's process, None for one that ended or runs on another computer."""
     if not pid:
         return None
     with suppress(psutil.Error):

@@ -1,4 +1,4 @@
-"""Look at every rig in one thread: what pages show is made once, however many are open."""
+"""Watch every rig in one thread: contents are made once for all open pages."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from rigapp.process.threads import Worker
 
 log = logging.getLogger(__name__)
 
-LOOK_S = 0.1  # as often takes the window what is new when nobody looks closely
-SHOW_S = 1.0  # what changes faster nobody reads from a wall
+LOOK_S = 0.1  # the window polls as often outside of its fast pages
+SHOW_S = 1.0  # faster changes cannot be read on a wall
 TRENDS_S = 5.0  # a trend of thousands of revolutions moves by less than a pixel
 RIGS_S = 2.0  # an engine that starts is on the page before its first revolution
 MOST_RIGS = 16
-"""More do not fit on a wall, and each has four threads."""
+"""More do not fit on a screen, and each has four threads."""
 SILENCE_S = 10.0
-"""Of the watching thread, until ``/healthz`` says that it hangs: a slow computer takes two."""
+"""Of the watching thread, until ``/healthz`` reports that it hangs: a slow computer takes two."""
 
 Rigs = Mapping[str, tuple[str, Find]]
-"""By a key: the name of a rig, and what finds its engine."""
+"""By a key: the name of a rig, and the function that finds its engine."""
 Publish = Callable[[Mapping[str, bytes]], None]
 
 
 @dataclass(slots=True)
 class _Shown:
-    """A rig with what was made of it last."""
+    """A rig with its newest fragments."""
 
     rig: WatchedRig
     painter: Painter = field(default_factory=Painter)
@@ -41,10 +41,10 @@ class _Shown:
 
 
 class Watch:
-    """Own the rigs; ``views`` and ``page`` may be asked from any thread."""
+    """The watched rigs; ``views`` and ``page`` may be read from any thread."""
 
     def __init__(self, rigs: Callable[[], Rigs], on_death: Callable[[str], None]) -> None:
-        """Begin with nothing; rigs: told again and again, what was there once stays shown."""
+        """Begin with none; rigs: called again and again; a rig once found stays shown."""
         self._find_rigs = rigs
         self._on_death = on_death
         self._publish: Publish = lambda frames: None
@@ -57,13 +57,13 @@ class Watch:
         self._worker = Worker("page", self._step, self._died, SILENCE_S)
 
     def start(self, publish: Publish) -> None:
-        """Begin to look; publish: takes frames for pages, by the names of their slots."""
+        """Begin to watch; publish: receives frames for pages, by the names of their slots."""
         self._publish = publish
         self._worker.start()
 
     @property
     def well(self) -> bool:
-        """Tell whether the thread lives and looks."""
+        """Tell whether the thread runs and watches."""
         return self._worker.well
 
     def page(self) -> str:
@@ -71,7 +71,7 @@ class Watch:
         return self._page
 
     def close(self) -> None:
-        """End the thread and let go of the engines."""
+        """End the thread and detach from the engines."""
         self._worker.halt()
         self._worker.join(SILENCE_S)
         for shown in self._shown.values():
@@ -81,7 +81,7 @@ class Watch:
         try:
             self._look()
         except OSError as error:
-            # No descriptor, no memory, no network: what is so for a moment ends no page.
+            # No descriptor, no memory, no network: a passing failure does not end the page.
             if type(error) is not self._trouble:
                 log.warning("The page could not look at the rigs: %s", error)
             self._trouble = type(error)
@@ -127,7 +127,7 @@ class Watch:
         self._publish(frames)
 
     def _set(self, shown: _Shown, now: float) -> RigView:
-        """Make the fragments of a rig anew; what they are made of is returned."""
+        """Make the fragments of a rig anew; return the view they are made of."""
         news = shown.rig.news()
         view = view_of(shown.rig, news)
         shown.parts["head"] = fragments.head(view, time.time())

@@ -1,4 +1,4 @@
-"""Reduce test files to what they came to; a process of its own does it for the window.
+"""Reduce test files to their results; a separate process does it for the window.
 
 ``python -m rigapp.report.results [--closely]`` reads paths from standard input, one a line, and
 writes a result of each to standard output as soon as it is known: four bytes of length
@@ -39,14 +39,14 @@ from rigapp.storage import (
 from rigapp.texts import capitalised, say, sentence_of_error
 
 LINE_POINTS = 48
-"""Of the small line in a list: two pixels each are as much as is seen."""
+"""Of the small line in a list: more than two pixels each are not visible."""
 
 NICENESS = 5
 """Lists can wait; the engine and its model on the same computer cannot."""
 
 
 def result_of(path: Path, *, closely: bool = False) -> TestResult:
-    """Return what a test came to; a file that cannot be read says why.
+    """Return the result of a test; of an unreadable file the reason.
 
     closely: state the uncertainty of the force, the alarms and why there is no wear coefficient,
     which takes several times as long as all else.
@@ -66,7 +66,7 @@ def result_of(path: Path, *, closely: bool = False) -> TestResult:
 def result_of_open(
     test: TestReader, modified: float, size: int, *, closely: bool = False
 ) -> TestResult:
-    """Return what an open test came to; raise UnusableInput where its file is damaged."""
+    """Return the result of an open test; raise UnusableInput where its file is damaged."""
     known = TestResult(str(test.path), modified, test.used_bytes(size))
     result = _measured(_described(known, test), test)
     if not result.revolutions:
@@ -97,7 +97,7 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
 def _recorded_reason(reason: str, planned: int, operator: str) -> str:
     """Return why a test ended, with the structure of its sentence where that is a usual one.
 
-    A file has the English text alone; what the operator wrote stays as it is.
+    A file has only the English text; texts of the operator stay unchanged.
     """
     done = say("The planned {} revolutions are made and recorded.", planned)
     who = capitalised(operator) or say("The operator")
@@ -161,7 +161,7 @@ def _unflagged(test: TestReader) -> int | None:
 
 
 def _residual(test: TestReader) -> tuple[float, float]:
-    """Return RMS and largest of what lies between model and steady revolutions, NaN unknown."""
+    """Return RMS and maximum of the difference of model and steady revolutions, NaN unknown."""
     count, total, worst = 0, 0.0, -np.inf
     for _, block in blocks(test, ("revolution", "residual_rms"), "prediction"):
         number, residual = block["revolution"], block["residual_rms"]
@@ -220,7 +220,7 @@ def _alarms(events: list[Event]) -> tuple[str, ...]:
 
 
 def _why_no_coefficient(test: TestReader) -> str:
-    """Return why ``rigapp identify`` tells no coefficient of a test, as it says it."""
+    """Return why ``rigapp identify`` finds no coefficient of a test, in its words."""
     from rigapp.twin.kept import NO_BIN, kept_of, life_of
     from rigapp_model.identification import NotIdentifiable
 
@@ -260,7 +260,7 @@ def main(arguments: list[str]) -> int:
             data = encode(result_of(path, closely="--closely" in arguments))
             write_frame(sys.stdout.buffer, data)
     except BrokenPipeError:
-        # Nobody listens any more: the flush at the end would fail again.
+        # The reader has ended: the flush at the end would fail again.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0
 

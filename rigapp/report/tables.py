@@ -1,4 +1,4 @@
-"""Tables that the model's verbs write: numbers as CSV, whole or not at all."""
+"""Tables of the model's verbs: numbers as CSV, complete or not written."""
 
 from __future__ import annotations
 

@@ -99,7 +99,7 @@ def test_the_gathering_finds_texts_and_what_is_glued_together(tmp_path: Path) ->
         "utf-8",
     )
     texts = texts_of(tmp_path)
-    assert {text for text in texts.found if text != "In the call"} == {
+    assert {text for text in texts.texts if text != "In the call"} == {
         "In a table",
         "By default",
         "To a base",

@@ -121,7 +121,7 @@ def test_what_answers_is_chosen_and_the_files_are_written_once(
     assert launched == [(["gui", "--rig", str(folder / "rig.toml")], folder)]
     page.make.click()
     work()
-    assert "already; nothing is written" in page.told.text()
+    assert "already; nothing is written" in page.outcome.text()
     assert page.open.isHidden()
 
 

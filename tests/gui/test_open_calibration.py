@@ -97,7 +97,7 @@ def refuses(one: Any) -> None:
     assert not window.controls.buttons["start"].isEnabled()
     window.start_bar.open()
     assert not window.start_bar.go.isEnabled()
-    assert "load cell, by " in window.start_bar.told.text()
+    assert "load cell, by " in window.start_bar.message.text()
     window.start_bar.hide()
     page = window.tabs.panels["start"]
     one.see(lambda: not page.ways[Act.TRY].button.isEnabled() or not page.isVisible())

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rigapp.gui.language.collect import ROOT, said, texts_of
+from rigapp.gui.language.collect import ROOT, module_sentences, texts_of
 from rigapp.presentation.catalogue import LANGUAGES, contexts
 from rigapp.presentation.translation import translate
 from rigapp.schema.alarms import KINDS
@@ -65,7 +65,7 @@ SYSTEM_WORDS = {"The certificate is made from the record alone: the same bytes e
 
 def told() -> Iterator[tuple[str, str]]:
     """Yield every collected text of an operator with the module that says it."""
-    for place, one in said():
+    for place, one in module_sentences():
         name = re.sub(r"^\w+/rigapp_", "", place)
         if name not in OF_FILES | FOR_PROGRAMMERS and "/simulator" not in name:
             yield name, one
@@ -77,7 +77,7 @@ def told() -> Iterator[tuple[str, str]]:
     yield from (
         ("alarms", one) for kind in KINDS.values() for one in (kind.consequence, kind.action)
     )
-    yield from ((name, one) for one, (name, _) in texts_of().found.items())
+    yield from ((name, one) for one, (name, _) in texts_of().texts.items())
 
 
 def test_no_text_of_an_operator_has_words_of_the_inside() -> None:

@@ -108,7 +108,7 @@ def test_it_is_not_saved_over_changes_that_are_not(
 
 def test_what_a_rig_does_not_have_is_named(page: OwnPage) -> None:
     page.take_view(ViewSection(("oil_pressure_max", "force_max"), ("oil_pressure",)))
-    assert "oil_pressure, oil_pressure_max" in page.told.text()
+    assert "oil_pressure, oil_pressure_max" in page.hint.text()
     assert list(page._made) == ["force_max"]
 
 

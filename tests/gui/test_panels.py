@@ -139,7 +139,7 @@ def test_lines_are_recorded_for_a_report_and_its_file_is_named(
 
     show(RunState.READY, None)
     assert [card.devices.itemText(at) for at in range(3)] == ["all devices", "daq", "drive"]
-    assert card.told.isHidden()
+    assert card.progress.isHidden()
     assert not card.end.isEnabled()
     card.record.click()
     card.devices.setCurrentIndex(2)
@@ -153,12 +153,12 @@ def test_lines_are_recorded_for_a_report_and_its_file_is_named(
     assert (one["devices"], one["duration_s"], one["reconnect"]) == (["drive"], 0.0, False)
     report = LineReport(one["file"], ("drive",), time.time() - 5.0)
     show(RunState.RUNNING, report)
-    assert card.told.text().startswith("Recording drive: 5 s. End and pack it")
+    assert card.progress.text().startswith("Recording drive: 5 s. End and pack it")
     assert not card.record.isEnabled()
     card.end.click()
     assert asked[-1] == ("report_end", {})
     show(RunState.RUNNING, msgspec.structs.replace(report, sentence="The report is in a.zip."))
-    assert card.told.text() == "The report is in a.zip."
+    assert card.progress.text() == "The report is in a.zip."
     assert card.record.isEnabled()
 
 

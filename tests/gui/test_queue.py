@@ -42,7 +42,7 @@ def cells(panel: QueuePanel, row: int) -> list[str]:
 
 
 def test_an_empty_queue_says_what_it_is_for(panel: QueuePanel) -> None:
-    assert "No test is in the queue" in panel.told.text()
+    assert "No test is in the queue" in panel.summary.text()
     assert [one.isEnabled() for one in (panel.begin, panel.halt, panel.take_out)] == [False] * 3
     assert panel.add.isEnabled()
 
@@ -51,8 +51,8 @@ def test_a_queue_that_works_is_shown_and_can_be_stopped(
     panel: QueuePanel, make_status: Any
 ) -> None:
     show(panel, make_status, FIVE, works=True)
-    assert "The queue works" in panel.told.text()
-    assert "2 to be done" in panel.told.text()
+    assert "The queue works" in panel.summary.text()
+    assert "2 to be done" in panel.summary.text()
     assert cells(panel, 0) == ["3", "done", "a.toml", "a.h5", FIVE[0].sentence]
     assert cells(panel, 1) == ["4", "running", "b.toml", "b.h5", ""]
     assert cells(panel, 2) == ["5", "waiting", "c.toml", "", ""]
@@ -70,7 +70,7 @@ def test_a_queue_that_has_stopped_says_where_and_what_leads_on(
 ) -> None:
     stopped = QueuedTest(4, "/t/b.toml", "/r", ItemState.STOPPED, "/r/b.h5", "Overload.")
     show(panel, make_status, (FIVE[0], stopped, FIVE[2]), works=False)
-    assert "Test 4 did not end as planned" in panel.told.text()
+    assert "Test 4 did not end as planned" in panel.summary.text()
     assert panel.begin.isEnabled()
     assert not panel.halt.isEnabled()
     panel.begin.click()

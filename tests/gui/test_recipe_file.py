@@ -187,13 +187,13 @@ def test_a_start_means_the_file_and_shows_what_differs(
     attach()
     type_into(recipe, "run.speed_rpm", "45")
     window.controls.buttons["start"].click()
-    assert "mine.toml starts as it is saved" in card.told.text()
-    assert "run.speed_rpm: 60 → 45" in card.told.text()
+    assert "mine.toml starts as it is saved" in card.message.text()
+    assert "run.speed_rpm: 60 → 45" in card.message.text()
     path.write_text(path.read_text("utf-8").replace("= 500", "= 700", 1), "utf-8")
     card.go.click()
     assert card.isVisible()
     assert engine.verbs == []
-    assert "run.revolutions: 500 → 700" in card.told.text()
+    assert "run.revolutions: 500 → 700" in card.message.text()
     card.read.click()
     assert recipe.unsaved_bar.isVisibleTo(recipe)  # the typed speed would be lost
     recipe.unsaved_bar.discard.click()

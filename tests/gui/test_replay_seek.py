@@ -96,9 +96,9 @@ def test_the_bar_follows_and_leads_the_replay(
     assert not window.rail.buttons[RailPlace.RIG].isVisible()
     assert window.body.colour == LIGHT.highlight
     assert all(not one.isEnabled() for one in window.findChildren(GuardedButton))
-    assert (bar.place.value(), bar.revolution.value()) == (1000, 300)
-    bar.place.setFocus()
-    qtbot.keyClick(bar.place, Qt.Key.Key_PageDown)
+    assert (bar.slider.value(), bar.revolution.value()) == (1000, 300)
+    bar.slider.setFocus()
+    qtbot.keyClick(bar.slider, Qt.Key.Key_PageDown)
     reach(window, qtbot, 270)
     assert bar.revolution.value() == 270
     assert window.header.state.value.whole == "REPLAY"

@@ -258,7 +258,7 @@ def test_why_nothing_can_be_read_is_said(
     monkeypatch.setattr("sys.executable", "/bin/false")
     shutil.copy(folder / "tripped.h5", folder / "new.h5")
     said: list[str] = []
-    page.said.connect(lambda text, good: said.append(text))
+    page.reported.connect(lambda text, good: said.append(text))
     page.look()
 
     def told() -> bool:

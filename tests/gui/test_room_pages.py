@@ -331,7 +331,7 @@ def test_the_rig(desk: Desk) -> None:
         card.more.click()
     found |= look(desk, "devices")
     window.tabs.show_page("faults")
-    desk.see(lambda: desk.panel("faults").found)
+    desk.see(lambda: desk.panel("faults").shown)
     found |= look(desk, "faults")
     assert sorted(found) == []
 

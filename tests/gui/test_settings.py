@@ -161,10 +161,10 @@ def test_a_pin_is_set_for_the_operator_where_the_rig_wants_one(
     assert part.by_pin.isHidden()
     part.pin.setText("27")
     part.set.click()
-    assert "4 characters" in part.told.text()
+    assert "4 characters" in part.holders.text()
     part.pin.setText("2718")
     part.set.click()
-    assert "Ada" in part.told.text()
+    assert "Ada" in part.holders.text()
     assert not part.by_pin.isHidden()
     assert fits("2718", pins_in(tmp_path / "operators.toml")["Ada"])
 

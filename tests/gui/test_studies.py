@@ -53,10 +53,10 @@ def choose(panel: StudiesPanel, name: str) -> None:
 def test_a_folder_without_studies_says_how_one_is_made(opened: Opened, tmp_path: Path) -> None:
     panel = opened(tmp_path)
     assert panel.list.texts() == []
-    assert panel.told.whole.startswith(f"No study is in {tmp_path}.")
+    assert panel.summary.whole.startswith(f"No study is in {tmp_path}.")
     assert panel.plot.plot.instead.startswith("Choose a study")
     gone = opened(tmp_path / "gone")
-    assert gone.told.whole.startswith("No study is in ")
+    assert gone.summary.whole.startswith("No study is in ")
 
 
 def test_a_study_is_drawn_and_what_it_depends_on_is_said(opened: Opened, tmp_path: Path) -> None:
@@ -113,7 +113,7 @@ def test_another_folder_is_opened_and_one_without_a_study_is_said(
     finished(there / "second", JOINTS)
     panel = opened(here)
     said: list[tuple[str, bool]] = []
-    panel.said.connect(lambda words, good: said.append((words, good)))
+    panel.reported.connect(lambda words, good: said.append((words, good)))
     panel.open_folder(str(there / "second"))
     opened.read(panel)  # type: ignore[attr-defined]
     assert sorted(row[0] for row in panel.list.texts()) == ["first", "second"]
@@ -173,7 +173,7 @@ def test_a_study_is_computed_from_the_window(opened: Opened, tmp_path: Path, qtb
     assert panel.run.running
     assert not panel.run.compute.isEnabled()
     qtbot.waitUntil(lambda: not panel.run.running, timeout=PATIENCE_MS)
-    assert panel.run.told.whole.startswith("4 of 4 points are done"), panel.run.told.whole
+    assert panel.run.progress.whole.startswith("4 of 4 points are done"), panel.run.progress.whole
     opened.read(panel)  # type: ignore[attr-defined]
     assert panel.list.texts()[0][:3] == ["radius", "pressure", "4"]
     assert panel.run.compute.isEnabled()
@@ -189,9 +189,9 @@ def test_an_interrupted_study_is_safe_and_a_wrong_file_is_told(
     panel.run.interrupt.click()
     assert not panel.run.running
     assert 0 < points_done(tmp_path / "radius") < 5000
-    assert panel.run.told.whole
+    assert panel.run.progress.whole
     wrong = tmp_path / "wrong.toml"
     wrong.write_text("schema = 1\n", "utf-8")
     panel.run.begin(str(wrong))
     qtbot.waitUntil(lambda: not panel.run.running, timeout=PATIENCE_MS)
-    assert "wrong.toml" in panel.run.told.whole
+    assert "wrong.toml" in panel.run.progress.whole

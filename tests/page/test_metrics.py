@@ -13,7 +13,7 @@ from page.doubles import OpenPage, ServedEngine
 from prometheus_client.parser import text_string_to_metric_families
 from snapshots import ALARM
 
-from rigapp.page.metrics import TOLD, Metrics, PageNumbers
+from rigapp.page.metrics import RIG_METRICS, Metrics, PageNumbers
 from rigapp.page.view import LimitView, ProcessView, RigView
 from rigapp.schema.columns import identified_columns
 from rigapp.schema.messages import DeviceView, RunState
@@ -68,7 +68,7 @@ def names(samples: dict[tuple[str, tuple[tuple[str, str], ...]], float]) -> set[
 
 def test_every_metric_is_told_where_everything_is_known() -> None:
     found = names(scraped(a_view()))
-    assert {one.name for one in TOLD} <= found
+    assert {one.name for one in RIG_METRICS} <= found
     assert {"rigapp_page_readers", "process_resident_memory_bytes"} <= found
 
 
@@ -88,7 +88,7 @@ def test_values_are_those_of_the_rig_in_the_units_of_their_names() -> None:
 def test_of_a_silent_engine_nothing_old_is_told() -> None:
     found = scraped(a_view(line="lost", silence_s=60.0))
     of_rig = {name for name, labels in found if ("rig", "left") in labels}
-    assert of_rig == {one.name for one in TOLD if one.silent}
+    assert of_rig == {one.name for one in RIG_METRICS if one.silent}
     assert found["rigapp_up", (("rig", "left"),)] == 0.0
     assert found["rigapp_silence_seconds", (("rig", "left"),)] == 60.0
 
@@ -108,7 +108,7 @@ def test_two_rigs_are_told_apart_by_their_name() -> None:
     assert named == {"left (rig1)", "left (rig2)"}
 
 
-@pytest.mark.parametrize("told", TOLD, ids=lambda one: one.name)
+@pytest.mark.parametrize("told", RIG_METRICS, ids=lambda one: one.name)
 def test_a_name_ends_with_its_unit_or_is_a_count(told: object) -> None:
     name = told.name  # type: ignore[attr-defined]
     assert name.endswith(UNITS) or COUNTED.search(name)
@@ -166,4 +166,4 @@ def test_the_alert_rules_say_whom_they_are_about() -> None:
 
 def test_the_guide_lists_every_metric() -> None:
     guide = (TOP / "docs" / "page.md").read_text("utf-8")
-    assert [one.name for one in TOLD if f"`{one.name}`" not in guide] == []
+    assert [one.name for one in RIG_METRICS if f"`{one.name}`" not in guide] == []

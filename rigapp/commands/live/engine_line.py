@@ -1,4 +1,4 @@
-"""A line to an engine for a command: the one that runs for the rig, or one hosted here."""
+"""The connection of a command to an engine: the running one of the rig, or one hosted here."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ Ask = Callable[[str, dict[str, Any]], Any]
 def engine_line(
     rig: Path, operator: str = "", *, own: bool = False, test: TestFile | None = None
 ) -> Iterator[Ask]:
-    """Yield a function that asks the rig's engine; what is refused raises UnusableInput.
+    """Yield a function that sends requests to the rig's engine; a refusal raises UnusableInput.
 
-    own: host an engine here even if another one runs (simulated rigs). test: whose mechanism a rig
-    that is simulated here has; the packaged one without.
+    own: host an engine here even if another one runs (simulated rigs). test: with the mechanism of
+    a rig that is simulated here, by default the packaged one.
     """
     from rigapp.service.host import EngineHost
     from rigapp.service.simulated import parse_speed
@@ -59,7 +59,7 @@ def engine_line(
 
 @contextmanager
 def occupied(ask: Ask, what: str, fastest_rpm: float = 0.0) -> Iterator[str]:
-    """Let a calibration occupy the rig, and yield its key; it ends in order, however this ends.
+    """Let a calibration occupy the rig, and yield its key; end it in any case.
 
     fastest_rpm: at which its tests turn the spindle. Raises UnusableInput where the rig is not
     free.
@@ -88,9 +88,9 @@ ENDED = "The calibration is ended; the readings so far stay in its journal."
 def release_calibration(
     rig: Path, reason: str, *, sure: bool, read: Callable[[str], str] = input
 ) -> int:
-    """Say who calibrates what, ask whether the pin is free, and end it; return the exit status.
+    """Print who calibrates what, ask whether the pin is free, and end it; return the exit status.
 
-    sure: do not ask. Raises UnusableInput where there is nobody to ask.
+    sure: do not ask. Raises UnusableInput without a terminal.
     """
     read_rig(rig)
     entry = find_engine(rig)
@@ -117,7 +117,7 @@ def release_calibration(
 def _may_end(
     rig: Path, calibration: OpenCalibration | None, sure: bool, read: Callable[[str], str]
 ) -> bool:
-    """Tell whether the calibration that was found shall end; raise UnusableInput where not."""
+    """Tell whether an open calibration shall end; raise UnusableInput where not."""
     if calibration is None:
         print(f"{rig}: no calibration is open.")
         return False

@@ -1,6 +1,6 @@
 """`rigapp calibrate run-out` and `running-check`: short tests of the engine, with all its guards.
 
-Each speed is a test with a file of its own, beside the record; both stay there.
+Each speed is a test with its own file, beside the record; both stay there.
 """
 
 from __future__ import annotations
@@ -37,37 +37,37 @@ from rigapp_calibration.turning.running_check import LEAST_REVOLUTIONS
 LOOK_EVERY_S = 0.1  # the progress line moves ten times a second
 RUN_RAMP = 3
 """Revolutions beyond those wanted: the first ones carry the ramp."""
-GENTLEST_RPM_PER_S = 60.0  # a usual drive's; a run's length allows for it at any speed
+SLOWEST_RAMP_RPM_PER_S = 60.0  # a usual drive's; a run's length allows for it at any speed
 RAMP_S = 2.0  # a faster run takes no longer than this to its speed
 OVERLOAD_SHARE = 0.5
 """Of full scale: without the follower only the pin's own inertia pulls; half is a mistake."""
 OVERSPEED_FACTOR, OVERSPEED_MORE_RPM = 1.3, 10.0
-"""A loop overshoots by 30 % at most; 10 rpm more, as slow turns are told coarsely by counts."""
+"""A loop overshoots by 30 % at most; 10 rpm more, as the resolution of slow speeds is coarse."""
 
 
-def take_runs(taken: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -> None:
+def take_runs(runs: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -> None:
     """Take every run through the engine; raise UnusableInput.
 
     line: to the engine. An interrupt stops the spindle under control first.
     """
-    fastest = max(run.rpm for run in taken.runs)
-    with line as ask, occupied(ask, taken.what, fastest) as key:
-        said = ""
+    fastest = max(run.rpm for run in runs.runs)
+    with line as ask, occupied(ask, runs.what, fastest) as key:
+        shown = ""
         try:
-            while not taken.done:
-                action = taken.go_on(ask("status", {}))
-                if taken.words != said:
-                    said = taken.words
-                    say(said)
+            while not runs.done:
+                action = runs.go_on(ask("status", {}))
+                if runs.words != shown:
+                    shown = runs.words
+                    say(shown)
                 if action is not None:
                     ask(action.verb, {**action.arguments, "calibration": key})
-                elif not taken.done:
+                elif not runs.done:
                     time.sleep(LOOK_EVERY_S)
         except BaseException:
-            if taken.turning:
-                ask("stop", {"reason": f"the {taken.what} was interrupted"})
+            if runs.turning:
+                ask("stop", {"reason": f"the {runs.what} was interrupted"})
             raise
-    taken.compress()
+    runs.compress()
 
 
 # --- run-out --------------------------------------------------------------------------------------
@@ -94,18 +94,18 @@ def calibrate_run_out(
             "give --rig or --from, one of the two: live rolls need --rig, recorded ones --from"
             " FILE.h5."
         )
-    given = RunOutFile(schema=1) if settings is None else read_document(settings, RunOutFile).record
+    file = RunOutFile(schema=1) if settings is None else read_document(settings, RunOutFile).record
     refuse_existing(to)
     files, source = recorded, dict[str, Any](rig="")
     if rig is not None:
-        document, operator = read_rig(rig), operator_of(given)
+        document, operator = read_rig(rig), operator_of(file)
         base = plain_test() if test is None else read_test(test).record
         plan = roll_plan(rpm, revolutions, orders)
         rolls = rolls_of(document, base, plan, to.with_suffix(""), operator)
         own = document.record.simulated
         take_runs(rolls, engine_line(rig, operator, own=own), sayer(as_json))
         files, source = rolls.files, {"rig": document.record.name, "simulated": own}
-    return say_outcome(save_map(files, orders, source, given, to), to, as_json=as_json)
+    return say_outcome(save_map(files, orders, source, file, to), to, as_json=as_json)
 
 
 def plain_test() -> TestFile:
@@ -144,10 +144,10 @@ def check_running(
         raise UnusableInput(
             "the follower must be off the pin and nothing may hang on it; then add --follower-off."
         )
-    given = LoadCellFile(schema=1, cell=CellSection(name="load cell"))
+    file = LoadCellFile(schema=1, cell=CellSection(name="load cell"))
     if settings is not None:
-        given = read_document(settings, LoadCellFile).record
-    operator = operator_of(given)
+        file = read_document(settings, LoadCellFile).record
+    operator = operator_of(file)
     runs = [
         SpindleRun(
             rpm,
@@ -167,7 +167,7 @@ def check_running(
             "operator": operator,
             "files": [path.name for path in taken_runs.files],
         }
-        keep_record(to, outcome.kind, readings, given, outcome.result, taken)
+        keep_record(to, outcome.kind, readings, file, outcome.result, taken)
     return say_outcome(outcome, to, as_json=as_json)
 
 
@@ -175,14 +175,14 @@ def running_test(rig: RigFile, rpm: float, revolutions: int, operator: str) -> T
     """Return the test of one speed: no cycles kept, no prediction, guards kept close."""
     from rigapp.simulation.constants import packaged_parameters
 
-    slowest_ramp = rpm / 120.0 * rpm / GENTLEST_RPM_PER_S
+    slowest_ramp = rpm / 120.0 * rpm / SLOWEST_RAMP_RPM_PER_S
     return TestFile(
         schema=1,
         title=f"Running check at {rpm:g} rpm, without the follower",
         run=RunSection(
             revolutions=revolutions + RUN_RAMP + math.ceil(slowest_ramp),
             speed_rpm=rpm,
-            acceleration_rpm_per_s=max(GENTLEST_RPM_PER_S, rpm / RAMP_S),
+            acceleration_rpm_per_s=max(SLOWEST_RAMP_RPM_PER_S, rpm / RAMP_S),
         ),
         model=packaged_parameters(),
         metadata=MetadataSection(operator=operator, notes="running check of the load cell"),
@@ -197,7 +197,7 @@ def running_test(rig: RigFile, rpm: float, revolutions: int, operator: str) -> T
 
 @contextmanager
 def _bare_rig(rig: Document[RigFile], operator: str) -> Iterator[Ask]:
-    """Yield a line to the simulated rig after the simulated hands took its follower off."""
+    """Yield a line to the simulated rig after the simulated operator took its follower off."""
     test = running_test(rig.record, 30.0, LEAST_REVOLUTIONS, operator)
     with engine_line(rig.path, operator, own=True, test=test) as ask:
         for action in BARE_PIN:

@@ -1,4 +1,4 @@
-"""`rigapp calibrate` with live readings, step by step: the terminal's face of a ``LiveSession``."""
+"""`rigapp calibrate` with live readings, step by step: a ``LiveSession`` on a terminal."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from rigapp_calibration.taking.signals import LISTEN_S
 PATIENCE_S = 60.0
 """A weight that still swings after a minute needs a hand to steady it."""
 COUNTED_S = 30.0
-"""So often it is said how long a load still hangs."""
+"""Between two messages about how long a load still hangs."""
 LEAVES_OUT = "s leaves the creep out, "
 LOOK_EVERY_S = 0.03  # as fast as numbers can be read while a hand moves
 
@@ -38,19 +38,19 @@ Read = Callable[[str], str]
 
 
 class SimulatedHands:
-    """Let the hands of a simulated rig do what a practice says."""
+    """The simulated operator of a simulated rig, by the practice of a calibration."""
 
     def __init__(self, session: AnySession, ask: Ask) -> None:
-        """Take the calibration whose practice it is, and the engine."""
+        """Set the calibration with its practice, and the engine."""
         self._session, self._ask = session, ask
         self.practice = session.practice
 
     def do(self, session: AnySession) -> None:
-        """Do what the step under way asks."""
+        """Do the step under way."""
         self.carry_out(self.practice.act(session, next(iter(self.practice.mistakes)), 0))
 
     def carry_out(self, actions: Actions) -> None:
-        """Do something; the session is told the device time of each change."""
+        """Do actions; report the device time of each change to the session."""
         rate = float(self._ask("signals", {"window_s": LISTEN_S})["sample_rate_Hz"])
         for action in actions:
             result = self._ask(action.verb, dict(action.arguments))
@@ -69,12 +69,12 @@ class Terminal:
         say: Say,
         hands: SimulatedHands | None = None,
     ) -> None:
-        """Take the session, the engine and, for a practice, the simulated hands."""
+        """Set the session, the engine and, in training, the simulated operator."""
         self._session, self._ask = session, ask
         self._read, self._say, self._hands = read, say, hands
 
     def run(self) -> bool:
-        """Take every step; return False when the operator closes it to take it up again."""
+        """Take every step; return False when the operator closes it to resume later."""
         while not (procedure := self._session.procedure).done:
             self._say(f"\n[{procedure.progress}] {procedure.instruction}")
             try:
@@ -130,7 +130,7 @@ class Terminal:
         return answer != "q"
 
     def _reject(self) -> None:
-        """List the readings that stand, ask which does not count and why, reject it."""
+        """List the valid readings, ask which one to reject and why, reject it."""
         session = self._session
         for number, reading in enumerate(session.procedure.taken, 1):
             if not reading.rejected:
@@ -152,7 +152,7 @@ class Terminal:
     def _wait_ready(self) -> Any:
         """Return a window that is ready; raise ProcedureError when none comes in time."""
         deadline = time.monotonic() + PATIENCE_S
-        said = ""
+        shown = ""
         while True:
             window = self.listen()
             seen = self._session.look(window)
@@ -164,9 +164,9 @@ class Terminal:
                 if self._session.takes_itself:
                     left = COUNTED_S * math.ceil(seen.left / COUNTED_S)
                     text = words = f"{words}; {left:g} s are left at most, Ctrl-C leaves it out"
-            if words != said and self._hands is None:
+            if words != shown and self._hands is None:
                 self._say(f"  {text} …")
-            said = words
+            shown = words
             if time.monotonic() > deadline:
                 raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {seen.words}")
             time.sleep(LOOK_EVERY_S)
@@ -200,13 +200,13 @@ class Terminal:
             raise ProcedureError(f"{word!r} is not a number of degrees") from error
 
 
-def operator_of(given: CalibrationFile) -> str:
-    """Return who calibrates: whom the settings name, else who is logged in."""
-    return given.paperwork.operator or login_name()
+def operator_of(settings: CalibrationFile) -> str:
+    """Return who calibrates: the operator of the settings, else the login name."""
+    return settings.paperwork.operator or login_name()
 
 
 def sayer(as_json: bool) -> Say:
-    """Return what tells the operator how it goes: on standard error where JSON is printed."""
+    """Return the function for messages to the operator: on standard error beside JSON."""
 
     def say(text: str) -> None:
         print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
@@ -228,9 +228,9 @@ def calibrate(
     former: Path | None = None,
     read: Read = input,
 ) -> int:
-    """Keep the record of a subject when its readings are good, a table's or live; the exit status.
+    """Save the record of a subject when its readings, of a table or live, are good; exit status.
 
-    requested: what is wanted, by name (see the subject's ``plan``).
+    requested: values of the plan by name (see the subject's ``plan``).
     """
     if (readings is None) == (rig is None):
         raise UnusableInput(ONE_SOURCE)
@@ -242,7 +242,7 @@ def calibrate(
     subject = SUBJECTS[name]
     assert subject.session is not None
     assert subject.plan is not None
-    given = read_document(settings, subject.settings).record
+    file = read_document(settings, subject.settings).record
     document = read_rig(rig)
     simulated = document.record.simulated
     if practise and not simulated:
@@ -250,12 +250,12 @@ def calibrate(
             f"--practise: {rig} is not simulated; a simulated operator moves nothing."
         )
     sensitivity = document.record.probes.sensitivity_um_per_V
-    wanted = subject.plan({**requested, "sensitivity": sensitivity}, given)
+    wanted = subject.plan({**requested, "sensitivity": sensitivity}, file)
     refuse_existing(to)
     where = journal or to.with_name(f"{to.name}.journal")
-    operator = operator_of(given)
+    operator = operator_of(file)
     here = Rig(document.record.name, simulated, operator, rig)
-    session = subject.session(given, here, where, wanted, keep_waiting_times=not practise)
+    session = subject.session(file, here, where, wanted, keep_waiting_times=not practise)
     say = sayer(as_json)
     try:
         with (

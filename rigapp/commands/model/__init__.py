@@ -1,1 +1,1 @@
-"""What ``rigapp model`` does on a terminal: the mechanism, one contact, a life, the paper."""
+"""``rigapp model``: the mechanism, one contact, a life, the paper."""

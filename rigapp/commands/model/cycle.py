@@ -37,7 +37,7 @@ Array = np.ndarray
 
 
 def plane_words(mechanism: Mechanism) -> str:
-    """Say in which plane a mechanism was taken to move, as its gravity tells."""
+    """Return the plane in which a mechanism moves, by its gravity."""
     x, y = mechanism.gravity
     if x == 0.0 and y == 0.0:
         return "horizontal plane (no gravity)"
@@ -46,7 +46,7 @@ def plane_words(mechanism: Mechanism) -> str:
 
 @dataclass(frozen=True, slots=True)
 class CycleTable:
-    """Hold the columns, what to print about them, what must be read, and whether all is there."""
+    """The columns, a remark to print, warnings, and whether the table is complete."""
 
     columns: Mapping[str, Array]
     remark: str = ""
@@ -55,7 +55,7 @@ class CycleTable:
 
 
 def joint_technique(name: str) -> Technique:
-    """Return what --joint names; raise UnusableInput for an unknown one."""
+    """Return the technique of --joint; raise UnusableInput for an unknown one."""
     demand(name in TECHNIQUES, "--joint", name, f"choose one of {', '.join(TECHNIQUES)}")
     return TECHNIQUES[name]
 

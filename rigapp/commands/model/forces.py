@@ -1,4 +1,4 @@
-"""`rigapp model forces`: one cycle as a table, of separate bodies a sample or means of many."""
+"""`rigapp model forces`: one cycle as a table; of separate bodies a sample, or means of many."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 CONTACT_COLUMNS = ("contact", "penetration_um", "contact_angle_deg")
 FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 2, 1_000_000
 LARGEST_NOISE = 1e-3
-"""Of the force: numerical noise above is said."""
+"""Share of the force above which numerical noise is reported."""
 SMALLEST_TOLERANCE, LARGEST_TOLERANCE = 1e-12, 0.1
 
 Array = np.ndarray
@@ -44,7 +44,7 @@ Array = np.ndarray
 
 @dataclass(frozen=True, slots=True)
 class Impacting:
-    """Hold what only separate bodies have: revolutions to average, tolerance, time limit (s).
+    """Options of separate bodies: revolutions to average, tolerance, time limit (s).
 
     contact_law, restitution: None takes the parameter file's.
     """
@@ -133,13 +133,13 @@ def impact_cycle(
         speed,
         law,
     )
-    with watched("revolutions", options.time_limit_s) as tell:
+    with watched("revolutions", options.time_limit_s) as report:
         if options.revolutions is None:
-            sample, many = contact_cycle(system, len(degrees), progress=tell), None
+            sample, many = contact_cycle(system, len(degrees), progress=report), None
         else:
-            many = ensemble(system, options.revolutions, len(degrees), progress=tell)
+            many = ensemble(system, options.revolutions, len(degrees), progress=report)
             sample = many.sample
-        noise = _noise_of(system, sample, many, len(degrees), tell)
+        noise = _noise_of(system, sample, many, len(degrees), report)
     columns = _sample_columns(system, degrees, sample)
     if many is not None:
         columns |= _mean_columns(many)
@@ -189,7 +189,7 @@ def _mean_columns(many: Ensemble) -> dict[str, Array]:
 
 
 def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None) -> str:
-    """Return what is printed about the contact."""
+    """Return the remark about the contact."""
     if many is None:
         remark = (
             f" In contact {100.0 * cycle.contact_fraction:.1f} % of the revolution,"
@@ -238,9 +238,9 @@ def _noise_of(
     sample: ContactCycle,
     many: Ensemble | None,
     points: int,
-    tell: Callable[[float], None],
+    report: Callable[[float], None],
 ) -> float | None:
-    """Return what the tolerance leaves in the force, N RMS; NaN, or None where time ran out."""
+    """Return the numerical noise of the force, N RMS; NaN, or None where time ran out."""
     from rigapp_model.contact.impact import contact_cycle, numerical_noise
     from rigapp_model.contact_law import ContactModel
     from rigapp_model.errors import OutOfTime
@@ -248,38 +248,38 @@ def _noise_of(
     if not sample.contact_is_continuous and system.contact.tolerance <= ContactModel().tolerance:
         return float("nan")
     try:
-        # Of means the sample is a later revolution than that of the finer run.
-        first = contact_cycle(system, points, progress=tell) if many else sample
-        return numerical_noise(system, first, points, progress=tell)
+        # The sample of an ensemble is a later revolution than that of the finer run.
+        first = contact_cycle(system, points, progress=report) if many else sample
+        return numerical_noise(system, first, points, progress=report)
     except OutOfTime:
         return None
 
 
 def _noise(system: ClearanceSystem, cycle: ContactCycle, noise: float | None) -> list[str]:
-    """Say what the tolerance leaves in the force (N RMS, NaN: not known), where it matters."""
+    """Return a warning about the numerical noise (N RMS, NaN: not known), where it matters."""
     from rigapp_model.contact_law import ContactModel
 
-    given, usual = system.contact.tolerance, ContactModel().tolerance
+    chosen, usual = system.contact.tolerance, ContactModel().tolerance
     if noise is None:
         return []
     if math.isnan(noise):
-        if given <= usual:
+        if chosen <= usual:
             return []
         return [
-            f"--tolerance {given:g} is coarser than {usual:g}; where contact is lost its numerical"
+            f"--tolerance {chosen:g} is coarser than {usual:g}; where contact is lost its numerical"
             f" noise cannot be told from the motion: compare means of both."
         ]
     size = float(np.sqrt(np.mean(cycle.motion.force_magnitude**2)))
     if noise <= LARGEST_NOISE * size:
         return []
     return [
-        f"--tolerance {given:g} leaves numerical noise of {noise:.2g} N RMS in a force of"
+        f"--tolerance {chosen:g} leaves numerical noise of {noise:.2g} N RMS in a force of"
         f" {size:.3g} N RMS; give a smaller one, {usual:g} by default."
     ]
 
 
 def _sentences(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None) -> list[str]:
-    """Return what must be read: that a curve is one sample, and where the law does not hold."""
+    """Return warnings: that a curve is one sample, and where the law does not hold."""
     sentences = [sentence for sentence in [system.contact.sentence()] if sentence]
     lost = many.contact_fraction.value < 1.0 if many else not cycle.contact_is_continuous
     if lost:
@@ -331,8 +331,8 @@ def write_forces(
     """Write one cycle at ``points`` equal crank angles as CSV, replacing an earlier table.
 
     joint: one of ``TECHNIQUES``; clearance_mm: radial clearance instead of the file's, where the
-    joint has one; impacting: what only separate bodies have. Sentences on stderr say where
-    continuous contact does not hold, and that a curve is one sample of a chaotic motion. Returns
+    joint has one; impacting: options of separate bodies. Warnings on stderr: where continuous
+    contact does not hold, and that a curve is one sample of a chaotic motion. Returns
     the exit status: 0, or 1 when time ran out; raises UnusableInput naming what cannot be used.
     """
     from rigapp_model.errors import OutOfTime
@@ -368,7 +368,7 @@ def write_forces(
 def _check(
     rpm: float, joint: str, clearance_mm: float | None, points: int, source: Path, target: Path
 ) -> None:
-    """Refuse what the options cannot mean."""
+    """Refuse unusable options."""
     check_rpm(rpm)
     technique = joint_technique(joint)
     enough = FEWEST_POINTS <= points <= MOST_POINTS

@@ -34,7 +34,7 @@ SMALLEST_TOLERANCE = 1e-5
 
 @dataclass(frozen=True, slots=True)
 class Scheme:
-    """Hold how a life is computed.
+    """Options of the computation of a life.
 
     method: implicit or explicit; extrapolation: most cycles of an explicit step, None for half the
     stability limit; contact: finite-element or winkler. contact_law, restitution: of separate
@@ -62,12 +62,11 @@ def write_wear(
 ) -> int:
     """Write the life of the bushing as CSV, and its worn profile if a name is given.
 
-    joint: one of ``TECHNIQUES``; force_N: a constant force along the follower, positive
-    in tension, instead of the mechanism's; tolerance: largest relative error of the depth at the
-    end; time_limit_s: after it what was reached is written; scheme: implicit steps and finite
-    elements if None. What the user must know about the
-    result goes to stderr. Returns the exit status: 0, or 1 when the tolerance was missed or time
-    ran out. Raises UnusableInput naming what cannot be used.
+    joint: one of ``TECHNIQUES``; force_N: a constant force along the follower, positive in tension,
+    instead of the mechanism's; tolerance: largest relative error of the depth at the end;
+    time_limit_s: after it what was reached is written; scheme: implicit steps and finite elements
+    if None. Warnings go to stderr. Returns the exit status: 0, or 1 when the tolerance was missed
+    or time ran out. Raises UnusableInput naming what cannot be used.
     """
     from rigapp_model.errors import OutOfTime
     from rigapp_model.wear.life import life
@@ -76,13 +75,13 @@ def write_wear(
     scheme = scheme or Scheme()
     _check_scheme(scheme)
     check_time_limit(time_limit_s)
-    given = {"--contact-law": scheme.contact_law, "--restitution": scheme.restitution}
-    check_contact_options(joint, given)
+    contact_options = {"--contact-law": scheme.contact_law, "--restitution": scheme.restitution}
+    check_contact_options(joint, contact_options)
     parameters = with_contact_law(
         read_parameters(params_path), scheme.contact_law, scheme.restitution
     )
     try:
-        with watched("wear", time_limit_s) as tell, _plain(params_path, force_N):
+        with watched("wear", time_limit_s) as report, _plain(params_path, force_N):
             result = life(
                 parameters,
                 rpm * np.pi / 30.0,
@@ -90,7 +89,7 @@ def write_wear(
                 joint,
                 tolerance,
                 force_N,
-                tell,
+                report,
                 method=cast(Literal["implicit", "explicit"], scheme.method),
                 step=scheme.extrapolation,
                 contact=cast(Literal["finite-element", "winkler"], scheme.contact),
@@ -152,7 +151,7 @@ def _check_wear(
     target: Path,
     profile: Path | None,
 ) -> None:
-    """Refuse what the options cannot mean."""
+    """Refuse unusable options."""
     check_rpm(rpm)
     demand(cycles >= 1, "--cycles", cycles, "give at least 1")
     joint_technique(joint)
@@ -169,7 +168,7 @@ def _check_wear(
 
 
 def _check_scheme(scheme: Scheme) -> None:
-    """Refuse what the options of the computation cannot mean."""
+    """Refuse unusable options of the computation."""
     for name, value, known in (
         ("--method", scheme.method, METHODS),
         ("--contact", scheme.contact, CONTACTS),
@@ -246,11 +245,11 @@ def write_paper(folder: Path, recorded: Path | None, time_limit_s: float | None)
     from rigapp.report.paper import make_paper
 
     check_time_limit(time_limit_s)
-    with watched("comparisons", time_limit_s) as tell:
-        made = make_paper(folder, recorded, tell)
-    for path in made.files:
+    with watched("comparisons", time_limit_s) as report:
+        paper = make_paper(folder, recorded, report)
+    for path in paper.files:
         print(path)
-    if made.complete:
+    if paper.complete:
         return 0
     print(
         f"--time-limit-s {time_limit_s:g}: over before all comparisons were made; the pages hold"

@@ -1,7 +1,7 @@
-"""The language of the window: what it says in English stands in the source, all else in catalogues.
+"""The language of the window: English texts are in the source, all others in catalogues.
 
-``presentation.translation.tr`` says a text; here a language is chosen and its catalogue is loaded,
-with that of Qt's own dialogs. ``collect`` gathers the texts out of the source (``make
+``presentation.translation.tr`` translates a text; this module chooses a language and loads its
+catalogue, with that of Qt's own dialogs. ``collect`` gathers the texts from the source (``make
 translations``). Texts of files, logs and terminals stay English.
 """
 
@@ -21,20 +21,20 @@ from rigapp.presentation.translation import ENGLISH, speak
 
 
 def chosen_language(wanted: str, system: Sequence[str] | None = None) -> str:
-    """Return the code of the language to speak.
+    """Return the code of the language to show.
 
     wanted: as chosen by the user, empty: as the system. system: its languages, the best first
-    (``de-DE``), asked for unless given. English where none of them is spoken.
+    (``de-DE``), by default those of Qt. English where there is a catalogue of none of them.
     """
     requested = (
         [wanted] if wanted else system if system is not None else QLocale.system().uiLanguages()
     )
-    codes = (one.replace("_", "-").partition("-")[0] for one in requested)
+    codes = (tag.replace("_", "-").partition("-")[0] for tag in requested)
     return next((code for code in codes if code in LANGUAGES), ENGLISH)
 
 
 def speak_language(application: QCoreApplication, language: str) -> None:
-    """Let the window, and Qt's own dialogs, speak a language from the next widget on.
+    """Show the window, and Qt's own dialogs, in a language from the next widget on.
 
     Raises OSError when its catalogue cannot be read.
     """

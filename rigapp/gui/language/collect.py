@@ -1,7 +1,7 @@
-"""Gather the texts of the window out of its source into the catalogues: ``make translations``.
+"""Gather the texts of the window from its source into the catalogues: ``make translations``.
 
-Where a signature, a field or a table says ``Text``, the literals that stand there are texts. What
-is said by the engine and only shown here (alarms, states) comes from its tables.
+Where a signature, a field or a table is annotated as ``Text``, its literals are texts. Texts of
+the engine that the window only shows (alarms, states) come from the engine's tables.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ ON_TERMINALS: Final = (
     "rigapp/analysis", "rigapp/cli", "rigapp/commands", "rigapp/page", "rigapp/publishing",
     "rigapp/start",
 )  # fmt: skip
-"""Rooms of which the window shows nothing."""
+"""Packages of which the window shows nothing."""
 
 WORD: Final = re.compile(r"[^\W\d_]{2,}")
 NAMES: Final = {"rigapp", "rpm", "mm", "µm", "Hz", "kHz", "ms", "min", "px"}
@@ -82,7 +82,7 @@ QUANTITIES: Final = (
     "running in revolutions", "sectors", "slider position", "slider velocity", "start angle",
     "technique", "times", "tolerance", "typical force", "youngs modulus",
 )  # fmt: skip
-"""What the model calls a number that it cannot work with."""
+"""Names of numbers in the model's error messages."""
 
 UNITS: Final = (
     "revolutions", "revolutions/s", "revolutions/h", "standard deviations", "days",
@@ -98,12 +98,12 @@ def has_words(text: str) -> bool:
 
 
 def without_braces(template: str) -> str:
-    """Return what a template says itself."""
+    """Return a template without its placeholders."""
     return re.sub(r"\{[^{}]*\}", "", template)
 
 
 @cache  # the whole source is read, which takes seconds
-def said() -> tuple[tuple[str, Text], ...]:
+def module_sentences() -> tuple[tuple[str, Text], ...]:
     """Return the module and the template of each sentence, without its details and its edges."""
     paths = {
         path.relative_to(ROOT).with_suffix("").as_posix(): path
@@ -111,33 +111,33 @@ def said() -> tuple[tuple[str, Text], ...]:
         for path in sorted((ROOT / source).rglob("*.py"))
     }
     return tuple(
-        (name, one)
+        (name, template)
         for name, path in paths.items()
         if not name.startswith(ON_TERMINALS)
-        for one in sentences_of(path)
+        for template in sentences_of(path)
     )
 
 
 def sentences_of(module: Path) -> Iterator[Text]:
     """Yield the templates of a module."""
     for node in ast.walk(ast.parse(module.read_text("utf-8"))):
-        for one in _texts(node):
-            template = sentence_of(one).strip(EDGES)
+        for text in _texts(node):
+            template = sentence_of(text).strip(EDGES)
             if has_words(without_braces(template)):
                 yield template
 
 
 def _texts(node: ast.AST) -> list[str]:
-    """Return what a call says, and the values of an enumeration that are words."""
+    """Return the texts of a call, and the values of an enumeration that are words."""
     match node:
         case ast.ClassDef(bases=[ast.Attribute(attr="StrEnum")], body=body):
-            values = [one.value for one in body if isinstance(one, ast.Assign)]
-            return [one for one in _literals(values) if " " in one]
+            values = [member.value for member in body if isinstance(member, ast.Assign)]
+            return [text for text in _literals(values) if " " in text]
         case (
             ast.Raise(exc=ast.Call(args=arguments))
             | ast.Call(func=ast.Attribute(attr="at"), args=arguments)
         ):
-            return [one for one in _literals(arguments) if " " in one][:1]
+            return [text for text in _literals(arguments) if " " in text][:1]
         case ast.Call(func=ast.Name(id="say"), args=arguments):
             return _literals(arguments)[:1]
         case ast.Call(func=ast.Name(id="refusal" | "note"), args=[_, *arguments]):
@@ -146,8 +146,8 @@ def _texts(node: ast.AST) -> list[str]:
 
 
 def _literals(nodes: list[ast.expr]) -> list[str]:
-    constants = [one.value for one in nodes if isinstance(one, ast.Constant)]
-    return [one for one in constants if isinstance(one, str)]
+    constants = [node.value for node in nodes if isinstance(node, ast.Constant)]
+    return [value for value in constants if isinstance(value, str)]
 
 
 def all_sentences() -> list[Text]:
@@ -158,13 +158,13 @@ def all_sentences() -> list[Text]:
         for text in (kind.title, sentence_of(kind.sentence), kind.consequence, kind.action)
     )
     tables = (*of_alarms, *SYSTEM, *LIBRARIES, *QUANTITIES, *UNITS)
-    known = {*tables} | {template for _, template in said()}
-    return sorted(one for one in known if has_words(without_braces(one)))
+    known = {*tables} | {template for _, template in module_sentences()}
+    return sorted(text for text in known if has_words(without_braces(text)))
 
 
 def all_templates() -> list[Text]:
     """Return the sentences with values."""
-    return [one for one in all_sentences() if "{" in one]
+    return [template for template in all_sentences() if "{" in template]
 
 
 SOURCES: Final = (
@@ -172,9 +172,9 @@ SOURCES: Final = (
     Path(viewer.__file__).parent,
     Path(translation.__file__).parent,
 )
-"""The window, what it knows of a test, and the words that it shares with others."""
+"""The window, its view of a test, and the words that it shares with others."""
 REPORT: Final = (
-    *(Path(__file__).parents[2] / "report" / one for one in ("page", "testreport")),
+    *(Path(__file__).parents[2] / "report" / folder for folder in ("page", "testreport")),
     Path(translation.__file__).parent,
 )
 """The report, whose functions have other names for texts than the window's."""
@@ -188,7 +188,7 @@ SHOWN_AS_IT_IS: Final = frozenset(
         "setTabToolTip", "setText", "setTitle", "setToolTip", "setWindowTitle",
     }
 )  # fmt: skip
-"""What Qt and the plots show without asking ``tr``: a literal given to them is never translated."""
+"""What Qt and the plots show without ``tr``: a literal passed to them is never translated."""
 
 Place = tuple[str, int]
 """Module and line."""
@@ -196,18 +196,18 @@ Place = tuple[str, int]
 
 @dataclass(slots=True)
 class Texts:
-    """What was found: texts with where they stand, and what no catalogue can know of.
+    """The texts with their places, and what no catalogue can contain.
 
     loose: literals that are shown as they are, sentences put together without braces.
     """
 
-    found: dict[str, Place] = field(default_factory=dict)
+    texts: dict[str, Place] = field(default_factory=dict)
     loose: list[Place] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
 class Taken:
-    """A parameter or field: its name and how it is annotated. rest: it takes all others, too."""
+    """A parameter or field with its annotation. rest: it takes all further arguments."""
 
     name: str
     annotation: ast.expr | None
@@ -224,50 +224,48 @@ class _Marks:
             for node in tree.body:
                 match node:
                     case ast.ImportFrom(names=names):  # import Text as Words
-                        renamed = [one.asname for one in names if one.asname and one.name == MARK]
-                        self.aliases |= dict.fromkeys(renamed, ast.Name(MARK))
+                        renamed = [name.asname for name in names if name.name == MARK]
+                        self.aliases |= dict.fromkeys(filter(None, renamed), ast.Name(MARK))
                     case ast.Assign(targets=[ast.Name(id=name)], value=value) if _names(
                         value, MARK
                     ):
                         self.aliases[name] = value
         for tree in modules.values():
-            for made in ast.walk(tree):
-                if isinstance(made, ast.FunctionDef):
-                    self._note(made.name, _parameters(made))
-                elif isinstance(made, ast.ClassDef):
-                    self._note(made.name, _made_with(made))
+            for definition in ast.walk(tree):
+                if isinstance(definition, ast.FunctionDef):
+                    self._note(definition.name, _parameters(definition))
+                elif isinstance(definition, ast.ClassDef):
+                    self._note(definition.name, _made_with(definition))
 
     def _note(self, name: str, taken: list[Taken]) -> None:
-        if any(self.is_text(one.annotation) for one in taken):
+        if any(self.is_text(parameter.annotation) for parameter in taken):
             self.parameters[name].append(taken)
 
     def is_text(self, annotation: ast.expr | None) -> bool:
-        """Tell whether texts stand in what is annotated so."""
+        """Tell whether an annotation contains texts."""
         return annotation is not None and _names(annotation, *self.aliases)
 
 
 def _names(tree: ast.expr, *wanted: str) -> bool:
-    return any(isinstance(one, ast.Name) and one.id in wanted for one in ast.walk(tree))
+    return any(isinstance(node, ast.Name) and node.id in wanted for node in ast.walk(tree))
 
 
 def _parameters(function: ast.FunctionDef) -> list[Taken]:
-    given = function.args
-    taken = [Taken(one.arg, one.annotation) for one in (*given.posonlyargs, *given.args)]
+    args = function.args
+    taken = [Taken(item.arg, item.annotation) for item in (*args.posonlyargs, *args.args)]
     if taken and taken[0].name in ("self", "cls"):
         taken = taken[1:]
-    if given.vararg is not None:
-        taken.append(Taken(given.vararg.arg, given.vararg.annotation, rest=True))
-    return [*taken, *(Taken(one.arg, one.annotation) for one in given.kwonlyargs)]
+    if args.vararg is not None:
+        taken.append(Taken(args.vararg.arg, args.vararg.annotation, rest=True))
+    return [*taken, *(Taken(item.arg, item.annotation) for item in args.kwonlyargs)]
 
 
-def _made_with(made: ast.ClassDef) -> list[Taken]:
-    for node in made.body:
+def _made_with(definition: ast.ClassDef) -> list[Taken]:
+    for node in definition.body:
         if isinstance(node, ast.FunctionDef) and node.name == "__init__":
             return _parameters(node)
-    fields = [node for node in made.body if isinstance(node, ast.AnnAssign)]
-    return [
-        Taken(one.target.id, one.annotation) for one in fields if isinstance(one.target, ast.Name)
-    ]
+    fields = [node for node in definition.body if isinstance(node, ast.AnnAssign)]
+    return [Taken(ast.unparse(node.target), node.annotation) for node in fields]
 
 
 class _Reader(ast.NodeVisitor):
@@ -278,7 +276,7 @@ class _Reader(ast.NodeVisitor):
         self._bases: list[str] = []
 
     def visit_ClassDef(self, node: ast.ClassDef) -> None:
-        self._bases.append(next((one.id for one in node.bases if isinstance(one, ast.Name)), ""))
+        self._bases.append(next((base.id for base in node.bases if isinstance(base, ast.Name)), ""))
         self.generic_visit(node)
         self._bases.pop()
 
@@ -288,17 +286,15 @@ class _Reader(ast.NodeVisitor):
         self.generic_visit(node)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> None:
-        given = node.args
-        last = given.args[len(given.args) - len(given.defaults) :]
-        defaults = zip(
-            (*last, *given.kwonlyargs), (*given.defaults, *given.kw_defaults), strict=True
-        )
+        args = node.args
+        last = args.args[len(args.args) - len(args.defaults) :]
+        defaults = zip((*last, *args.kwonlyargs), (*args.defaults, *args.kw_defaults), strict=True)
         for parameter, value in defaults:
             if value is not None:
                 self._take(parameter.annotation, value)
-        for one in ast.walk(node):
-            if isinstance(one, ast.Return) and one.value is not None and node.returns is not None:
-                self._take(node.returns, one.value)
+        for part in ast.walk(node):
+            if isinstance(part, ast.Return) and part.value is not None and node.returns is not None:
+                self._take(node.returns, part.value)
         self.generic_visit(node)
 
     def visit_Call(self, node: ast.Call) -> None:
@@ -306,16 +302,16 @@ class _Reader(ast.NodeVisitor):
             self.generic_visit(node)
             return
         if self._called(node.func) in SHOWN_AS_IT_IS:
-            for value in (*node.args, *(one.value for one in node.keywords)):
+            for value in (*node.args, *(keyword.value for keyword in node.keywords)):
                 self._note_loose(value)
-        for taken in self._marks.parameters.get(self._called(node.func), ()):
-            rest = next((one for one in taken if one.rest), None)
-            for at, value in enumerate(node.args):
-                before = rest is None or at < taken.index(rest)
-                one = taken[at] if before and at < len(taken) else rest
-                if one is not None:
-                    self._take(one.annotation, value)
-            by_name = {one.name: one.annotation for one in taken}
+        for parameters in self._marks.parameters.get(self._called(node.func), ()):
+            rest = next((parameter for parameter in parameters if parameter.rest), None)
+            for index, value in enumerate(node.args):
+                before = rest is None or index < parameters.index(rest)
+                parameter = parameters[index] if before and index < len(parameters) else rest
+                if parameter is not None:
+                    self._take(parameter.annotation, value)
+            by_name = {parameter.name: parameter.annotation for parameter in parameters}
             for keyword in node.keywords:
                 self._take(by_name.get(keyword.arg or ""), keyword.value)
         self.generic_visit(node)
@@ -328,13 +324,13 @@ class _Reader(ast.NodeVisitor):
             case ast.Constant(value=str(text)) if has_words(text):
                 self._texts.loose.append((self._name, value.lineno))
             case ast.JoinedStr(values=parts):
-                for one in parts:
-                    self._note_loose(one)
+                for part in parts:
+                    self._note_loose(part)
 
     def _called(self, function: ast.expr) -> str:
         if isinstance(function, ast.Attribute):
-            made = function.attr == "__init__" and self._bases
-            return self._bases[-1] if made else function.attr
+            constructs = function.attr == "__init__" and self._bases
+            return self._bases[-1] if constructs else function.attr
         return function.id if isinstance(function, ast.Name) else ""
 
     def _take(self, annotation: ast.expr | None, value: ast.expr) -> None:
@@ -346,13 +342,13 @@ class _Reader(ast.NodeVisitor):
                 self._take(annotation, first)
                 self._take(annotation, second)
             case _, ast.BoolOp(values=values):
-                for one in values:
-                    self._take(annotation, one)
+                for operand in values:
+                    self._take(annotation, operand)
             case ast.Name(id=alias), _ if alias != MARK:
                 self._take(self._marks.aliases[alias], value)
             case ast.Name(), ast.Constant(value=str(text)):
                 if has_words(text):
-                    self._texts.found.setdefault(text, (self._name, value.lineno))
+                    self._texts.texts.setdefault(text, (self._name, value.lineno))
             case ast.Name(), ast.JoinedStr():
                 self._note_loose(value)
             case ast.BinOp(op=ast.BitOr(), left=left, right=right), _:
@@ -361,13 +357,13 @@ class _Reader(ast.NodeVisitor):
             case ast.Subscript(slice=ast.Tuple(elts=[of, ast.Constant()])), _:  # tuple[Text, ...]
                 self._take_each(of, value)
             case ast.Subscript(slice=ast.Tuple(elts=[key, of])), ast.Dict(keys=keys, values=values):
-                for name, one in zip(keys, values, strict=True):
+                for name, item in zip(keys, values, strict=True):
                     if name is not None:
                         self._take(key, name)
-                    self._take(of, one)
+                    self._take(of, item)
             case ast.Subscript(slice=ast.Tuple(elts=kinds)), ast.Tuple(elts=values):
-                for kind, one in zip(kinds, values, strict=False):
-                    self._take(kind, one)
+                for kind, item in zip(kinds, values, strict=False):
+                    self._take(kind, item)
             case ast.Subscript(slice=of), ast.Dict():
                 self._take(of, value)
             case ast.Subscript(value=ast.Name(id="Final"), slice=of), _:
@@ -378,10 +374,10 @@ class _Reader(ast.NodeVisitor):
     def _take_each(self, of: ast.expr, value: ast.expr) -> None:
         match value:
             case ast.Tuple(elts=values) | ast.List(elts=values) | ast.Set(elts=values):
-                for one in values:
-                    self._take(of, one)
-            case ast.GeneratorExp(elt=one) | ast.ListComp(elt=one) | ast.Starred(value=one):
-                self._take(of, one)
+                for item in values:
+                    self._take(of, item)
+            case ast.GeneratorExp(elt=item) | ast.ListComp(elt=item) | ast.Starred(value=item):
+                self._take(of, item)
 
 
 @cache
@@ -399,22 +395,22 @@ def texts_of(*sources: Path) -> Texts:
 
 
 def texts_of_tables() -> list[Text]:
-    """Return what the engine says and the window shows, days and months."""
+    """Return the words of the engine that the window shows, days and months."""
     words = [state.value for state in RunState] + [verb.replace("_", " ") for verb in VERBS]
     words += [*WORDS, *WORDS.values()]
-    words += [one.value for one in HowEnded]
-    words += [one.value for one in (*CheckVerdict, *Severity)] + ["overload", "overspeed"]
-    words += [one.title for one in CRITERIA.values()] + [*WEAR_MODELS, "True", "False"]
+    words += [ending.value for ending in HowEnded]
+    words += [member.value for member in (*CheckVerdict, *Severity)] + ["overload", "overspeed"]
+    words += [criterion.title for criterion in CRITERIA.values()] + [*WEAR_MODELS, "True", "False"]
     words += ReportSection().signatures
     words += [*key_texts(), *column_texts()]
     return [*words, *calendar.day_abbr, *calendar.month_abbr]
 
 
 def all_texts() -> list[Text]:
-    """Return every text that the window says as it is, each once, in a fixed order."""
-    plain = {one for one in all_sentences() if "{" not in one}
+    """Return every text without values that the window shows, each once, in a fixed order."""
+    plain = {text for text in all_sentences() if "{" not in text}
     return sorted(
-        {*texts_of().found, *texts_of(*REPORT).found, *plain, *filter(has_words, texts_of_tables())}
+        {*texts_of().texts, *texts_of(*REPORT).texts, *plain, *filter(has_words, texts_of_tables())}
     )
 
 
@@ -424,9 +420,9 @@ def update(languages: Sequence[str] = tuple(LANGUAGES)) -> None:
     Raises CalledProcessError when Qt's tool fails.
     """
     lines = [
-        f"QT_TRANSLATE_NOOP({_quoted(context)}, {_quoted(one)})\n"
+        f"QT_TRANSLATE_NOOP({_quoted(context)}, {_quoted(text)})\n"
         for context, texts in ((WINDOW, all_texts()), (SENTENCES, all_templates()))
-        for one in texts
+        for text in texts
     ]
     with tempfile.TemporaryDirectory(prefix="rigapp-texts-") as folder:
         listed = Path(folder) / "texts.py"
@@ -443,7 +439,7 @@ def _quoted(text: str) -> str:
 
 
 def _run(tool: str, *arguments: object) -> None:
-    """Run a tool of Qt that stands beside the library."""
+    """Run a tool of Qt from the folder of the library."""
     program = Path(PySide6.__file__).with_name(tool)
     subprocess.run([program, *map(str, arguments)], check=True)
 

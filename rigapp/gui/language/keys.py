@@ -1,4 +1,4 @@
-"""What keys of a test file and columns of its results are called, where nothing else says it."""
+"""Names of the keys of a test file and of the columns of its results."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ def key_name(key: str) -> Text:
 
 def key_texts() -> Iterator[Text]:
     """Yield the names of the keys of a test file, what their values mean, and their choices."""
-    for one in keys_of(TestFile):
-        yield key_name(one.path.rsplit(".", 1)[-1])
-        yield one.words
-        yield from (choice.replace("_", " ") for choice in one.choices)
+    for key in keys_of(TestFile):
+        yield key_name(key.path.rsplit(".", 1)[-1])
+        yield key.words
+        yield from (choice.replace("_", " ") for choice in key.choices)
 
 
 def column_texts() -> Iterator[Text]:
     """Yield the words for columns that belong to no channel, without their statistics."""
     for column in quantities(BASE):
-        ending = next((one for one in ENDINGS if column.endswith(f"_{one}")), "")
+        ending = next((statistic for statistic in ENDINGS if column.endswith(f"_{statistic}")), "")
         name = column.removesuffix(f"_{ending}")
         if name not in BASE:
             yield name.replace("_", " ")

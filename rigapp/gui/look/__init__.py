@@ -1,4 +1,4 @@
 """How the window looks: one table of colours and sizes, a font, icons, and the style sheet of them.
 
-It knows no widget of the house; whoever paints takes a ``tokens.Theme``.
+It imports no widget of rigapp; what paints receives a ``tokens.Theme``.
 """

@@ -1,8 +1,8 @@
-"""Dress the application in a theme: style, palette, font and the plots' defaults.
+"""Apply a theme to the application: style, palette, font and the plots' defaults.
 
-The style sheet is set by each part of the window on itself (``dress_part``), and its dialogs have
-it from there. On the whole window it would hold up everything for a quarter of a second at each
-change, on the application for up to half a second.
+Each part of the window sets the style sheet on itself (``dress_part``), and its dialogs inherit it.
+Set on the whole window it would block everything for a quarter of a second at each change, on the
+application for up to half a second.
 """
 
 from __future__ import annotations
@@ -17,9 +17,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from rigapp.gui.look.fonts import FAMILY, window_font
 from rigapp.presentation.tokens import CAPTION_PT, CARD_RADIUS, RADIUS, VALUE_PT, Theme
 
-# The style sheet of the window, from the tokens of a theme.
-#
-# A widget is told what it is by properties: ``rank`` of a button (primary, ordinary, dangerous,
+# The style sheet selects widgets by properties: ``rank`` of a button (primary, ordinary, dangerous,
 # quiet), ``role`` of a frame or label (card, caption, value).
 
 _SHEET = Template(
@@ -158,7 +156,7 @@ QLabel[role="secondary"] { color: $secondary; }
 
 OUTLINE_DARKER = 140
 """Percent by which Fusion draws the outline of a check box darker than its window: in a dark theme
-nobody would see an empty one."""
+an empty one would be invisible."""
 
 
 @cache
@@ -210,7 +208,7 @@ def qt_palette(theme: Theme) -> QPalette:
 
 
 def apply_theme(application: QApplication, theme: Theme) -> None:
-    """Dress the application and the plots made from now on.
+    """Apply a theme to the application and the plots made from now on.
 
     Style and font are set once: setting them again polishes every widget again.
     """
@@ -228,9 +226,9 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
 
 
 def dress_part(part: QWidget, theme: Theme, own: str = "") -> None:
-    """Give a part of the window, and all that is on it, the style sheet of a theme.
+    """Set the style sheet of a theme on a part of the window and its children.
 
-    own: rules of this part alone, in the language of style sheets.
+    own: additional rules of this part alone.
     """
     sheet = style_sheet(theme) + own
     if part.styleSheet() != sheet:

@@ -1,7 +1,7 @@
-"""The font of the window: Inter, with figures of one width, so that a changing number stands.
+"""The font of the window: Inter, with figures of one width, so that a changing number keeps still.
 
-The package has Inter as one file of all weights, of which a style sheet reaches none but the usual
-one (Qt 6.11). Its semi-bold therefore stands here as a file of its own (OFL 1.1), made by
+The package has Inter as one file of all weights, of which a style sheet reaches only the normal one
+(Qt 6.11). Its semi-bold is therefore a file beside this module (OFL 1.1), made by
 ``fonttools varLib.instancer "Inter[opsz,wght].ttf" wght=600 opsz=14`` and ``fonttools subset``.
 """
 
@@ -29,20 +29,20 @@ def window_font() -> QFont:
 
 def tabular(font: QFont) -> QFont:
     """Return a font whose figures are all of one width."""
-    made = QFont(font)
-    made.setFeature(QFont.Tag("tnum"), 1)
-    return made
+    copy = QFont(font)
+    copy.setFeature(QFont.Tag("tnum"), 1)
+    return copy
 
 
 def sized(font: QFont, points: float, weight: QFont.Weight = QFont.Weight.Normal) -> QFont:
     """Return a font in one of the sizes of ``tokens``."""
-    made = tabular(font)
-    made.setPointSizeF(points)
-    made.setWeight(weight)
-    made.setVariableAxis(QFont.Tag("wght"), float(weight.value))
-    return made
+    copy = tabular(font)
+    copy.setPointSizeF(points)
+    copy.setWeight(weight)
+    copy.setVariableAxis(QFont.Tag("wght"), float(weight.value))
+    return copy
 
 
 def _loaded() -> bool:
     files = (fontpkg.path(FAMILY), SEMI_BOLD)
-    return all(QFontDatabase.addApplicationFont(str(one)) >= 0 for one in files)
+    return all(QFontDatabase.addApplicationFont(str(file)) >= 0 for file in files)

@@ -44,11 +44,11 @@ class Icon(enum.StrEnum):
 
 
 def icon(meaning: Icon, colour: str, disabled: str | None = None) -> QIcon:
-    """Return an icon in a colour, and in another one while what bears it cannot be pressed."""
-    made: QIcon = _phosphor().icon(
+    """Return an icon in a colour, and in another one while its button is disabled."""
+    result: QIcon = _phosphor().icon(
         meaning.value, color=colour, color_disabled=disabled or colour, scale_factor=1.0
     )
-    return made
+    return result
 
 
 @cache

@@ -1,4 +1,4 @@
-"""What a user chose of the window, kept for the next time."""
+"""The user's choices for the window, stored for the next start."""
 
 from __future__ import annotations
 
@@ -27,31 +27,31 @@ OFF = "off"
 
 
 class Preferences(QObject):
-    """The choices of a user; ``changed`` carries the one that has another value."""
+    """The choices of a user; ``changed`` is emitted with the one that has another value."""
 
     changed = Signal(Preference)
 
     def __init__(self, store: QSettings | None = None) -> None:
-        """Take where they are kept; None: they last as long as the window."""
+        """Set where they are stored; None: they last as long as the window."""
         super().__init__()
         self._store = store
         self._values: dict[str, str] = {}
 
-    def get(self, what: Preference) -> str:
+    def get(self, preference: Preference) -> str:
         """Return a choice, empty where none was made."""
         if self._store is None:
-            return self._values.get(what, "")
-        return str(self._store.value(what.value, ""))
+            return self._values.get(preference, "")
+        return str(self._store.value(preference.value, ""))
 
-    def put(self, what: Preference, value: str) -> None:
-        """Keep a choice; an empty one is as if none had been made."""
-        if value == self.get(what):
+    def put(self, preference: Preference, value: str) -> None:
+        """Store a choice; an empty one deletes it."""
+        if value == self.get(preference):
             return
         if self._store is None:
-            self._values[what] = value
+            self._values[preference] = value
         else:
-            self._store.setValue(what.value, value)
-        self.changed.emit(what)
+            self._store.setValue(preference.value, value)
+        self.changed.emit(preference)
 
     @property
     def theme(self) -> Theme:

@@ -55,14 +55,14 @@ LINES: Final[dict[str, Text]] = {
     "consequence": "Effect",
     "action": "To do",
 }
-"""Fields of an alarm that are told in full, as a card names them."""
+"""Fields of an alarm that a card shows in full, with their captions."""
 
 RECORDED: Final[Text] = "This is a replay: what was recorded stays as it was"
 BESIDE_FROM, LIST = 100 * STEP, 32 * STEP
 """Width for limits and journal beside each other, height of each below the other."""
 TITLE_WIDTH = 16 * STEP
 HEIGHTS = (360, 340)
-"""Of the alarms and of what stands below them."""
+"""Of the alarms and of what is below them."""
 CARDS_HEIGHTS = (0, 32 * STEP, 42 * STEP)
 """Of the alarms at least, by how many there are: their whole cards, and the tools below them."""
 
@@ -81,13 +81,13 @@ def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
 
 
 def newest_critical(alarms: Sequence[Alarm]) -> Alarm | None:
-    """Return the critical alarm that came last, of those that nobody has acknowledged first."""
-    critical = [one for one in alarms if one.severity is Severity.CRITICAL]
-    return max(critical, key=lambda one: (not one.acknowledged, one.raised_at), default=None)
+    """Return the newest critical alarm, unacknowledged ones first."""
+    critical = [alarm for alarm in alarms if alarm.severity is Severity.CRITICAL]
+    return max(critical, key=lambda alarm: (not alarm.acknowledged, alarm.raised_at), default=None)
 
 
 class AlarmCard(QFrame):
-    """One alarm: shape and word, name, since when, and all that is told of it."""
+    """One alarm: shape and word, name, since when, and its texts."""
 
     pressed = Signal()
 
@@ -107,11 +107,11 @@ class AlarmCard(QFrame):
         grid.setColumnStretch(1, 1)
         self.texts: dict[str, QLabel] = {}
         self.captions: list[QLabel] = []
-        for place, (key, caption) in enumerate(LINES.items()):
+        for line, (key, caption) in enumerate(LINES.items()):
             self.captions.append(styled_label(caption, "secondary"))
             self.texts[key] = prose(f"{name}_{key}", caption)
-            grid.addWidget(self.captions[-1], place, 0, Qt.AlignmentFlag.AlignTop)
-            grid.addWidget(self.texts[key], place, 1)
+            grid.addWidget(self.captions[-1], line, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(self.texts[key], line, 1)
         self.texts["action"].setProperty("role", "title")
         self.details = FoldedDetails(name)
         grid.addWidget(self.details, len(LINES), 1)
@@ -124,8 +124,8 @@ class AlarmCard(QFrame):
             head = [flowing(self.chip, None, self.since), self.title, self.state]
         column(*head, grid, on=self, margins=(GAP, STEP), spacing=STEP)
 
-    def show_alarm(self, alarm: Alarm, *, whole: bool, chosen: bool) -> None:
-        """Show an alarm, with all that is told of it or its name alone."""
+    def show_alarm(self, alarm: Alarm, *, full: bool, chosen: bool) -> None:
+        """Show an alarm; full: with all its texts, else with its name alone."""
         severity = "critical" if alarm.severity is Severity.CRITICAL else "attention"
         tell(self, "role", "card" if alarm.acknowledged else severity)
         tell(self, "chosen", chosen)
@@ -141,13 +141,13 @@ class AlarmCard(QFrame):
         cycle = tr("{}, cycle {}", stamp, alarm.revolution)
         self.since.setText(cycle if self._large else stamp)
         self.since.setToolTip(cycle)
-        for key, line in self.texts.items():
-            line.setText(translate(getattr(alarm, key)))
+        for key, label in self.texts.items():
+            label.setText(translate(getattr(alarm, key)))
         for part in (*self.captions, *self.texts.values()):
-            part.setVisible(whole)
-        self.details.show_details(details_of(alarm.cause) if whole else "")
-        said = f"{tr(MARKS[alarm.severity])}: {translate(alarm.title)}, {tr(alarm.state)}"
-        self.setAccessibleName(said)
+            part.setVisible(full)
+        self.details.show_details(details_of(alarm.cause) if full else "")
+        name = f"{tr(MARKS[alarm.severity])}: {translate(alarm.title)}, {tr(alarm.state)}"
+        self.setAccessibleName(name)
         self.setAccessibleDescription(translate(alarm.action))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -157,14 +157,14 @@ class AlarmCard(QFrame):
 
 
 def _explained(word: str) -> str:
-    """Return a word with its meaning, nothing where it needs none."""
+    """Return a word with its meaning, empty where the table has none."""
     return f"{tr(word)}: {tr(WORDS[word])}" if word in WORDS else ""
 
 
 class AlarmCards(QWidget):
-    """The alarms below each other; one of them is chosen, a new critical one by itself.
+    """The alarms below each other; one of them is chosen, a new critical one automatically.
 
-    large: every card tells all, and the keys Up and Down choose; else only the chosen one does.
+    large: every card shows all texts, and the keys Up and Down choose; else only the chosen one.
     """
 
     changed = Signal()
@@ -187,28 +187,28 @@ class AlarmCards(QWidget):
         return self._alarms
 
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
-        """Show the alarms, keeping the choice unless a new critical one came."""
+        """Show the alarms; the choice stays unless there is a new critical one."""
         ordered = order(alarms)
         if ordered == self._alarms:
             return
-        known = {one.key for one in self._alarms}
-        newest = newest_critical([one for one in ordered if one.key not in known])
+        known = {alarm.key for alarm in self._alarms}
+        newest = newest_critical([alarm for alarm in ordered if alarm.key not in known])
         self._alarms = ordered
         if newest is not None:
             self._chosen = newest.key
-        elif self._chosen not in {one.key for one in ordered}:
+        elif self._chosen not in {alarm.key for alarm in ordered}:
             first = newest_critical(ordered) or next(iter(ordered), None)
             self._chosen = first.key if first is not None else ""
         self._fill()
 
     def chosen(self) -> Alarm | None:
         """Return the chosen alarm."""
-        return next((one for one in self._alarms if one.key == self._chosen), None)
+        return next((alarm for alarm in self._alarms if alarm.key == self._chosen), None)
 
-    def choose(self, place: int) -> None:
+    def choose(self, index: int) -> None:
         """Choose a card."""
-        if 0 <= place < len(self._alarms):
-            self._chosen = self._alarms[place].key
+        if 0 <= index < len(self._alarms):
+            self._chosen = self._alarms[index].key
             self._fill()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -222,23 +222,23 @@ class AlarmCards(QWidget):
 
     def _fill(self) -> None:
         while len(self.cards) < len(self._alarms):
-            place = len(self.cards)
-            card = AlarmCard(f"{self._prefix}_alarm_{place + 1}", large=self._large)
-            card.pressed.connect(partial(self.choose, place))
+            index = len(self.cards)
+            card = AlarmCard(f"{self._prefix}_alarm_{index + 1}", large=self._large)
+            card.pressed.connect(partial(self.choose, index))
             self.cards.append(card)
             self._list.insertWidget(self._list.count() - 1, card)
         for card, alarm in zip(self.cards, self._alarms, strict=False):
             chosen = alarm.key == self._chosen
-            card.show_alarm(alarm, whole=self._large or chosen, chosen=self._large and chosen)
-        for place, card in enumerate(self.cards):
-            card.setVisible(place < len(self._alarms))
+            card.show_alarm(alarm, full=self._large or chosen, chosen=self._large and chosen)
+        for index, card in enumerate(self.cards):
+            card.setVisible(index < len(self._alarms))
         self.none.setVisible(not self._alarms)
         self.changed.emit()
 
 
 def waiting(alarms: Sequence[Alarm]) -> bool:
-    """Tell whether any alarm waits to be acknowledged."""
-    return any(not one.acknowledged for one in alarms)
+    """Tell whether any alarm is unacknowledged."""
+    return any(not alarm.acknowledged for alarm in alarms)
 
 
 class AlarmGlance(QFrame):
@@ -347,7 +347,7 @@ class AlarmPanel(QWidget):
 
     def show_state(self, state: RunState | None) -> None:
         """Offer the reset after a trip, and whenever an alarm waits for it."""
-        latched = any(one.severity is Severity.CRITICAL for one in self.cards.alarms)
+        latched = any(alarm.severity is Severity.CRITICAL for alarm in self.cards.alarms)
         ended = state in (RunState.FAULT, RunState.STOPPED)
         self.reset.setEnabled((latched or ended) and not self._recorded)
 
@@ -357,7 +357,7 @@ class AlarmPanel(QWidget):
         self._take_height(min(len(self.cards.alarms), len(CARDS_HEIGHTS) - 1))
 
     def _take_height(self, cards: int) -> None:
-        """Take the height of so many cards at least; without one the journal below has the rest."""
+        """Set the minimum height for so many cards; without one the journal below has the rest."""
         least, before = CARDS_HEIGHTS[cards], self.minimumHeight()
         if least == before:
             return
@@ -365,9 +365,9 @@ class AlarmPanel(QWidget):
         self.area.setMinimumHeight(0 if cards else self.cards.none.sizeHint().height())
         policy = QSizePolicy.Policy
         self.setSizePolicy(policy.Preferred, policy.Preferred if cards else policy.Maximum)
-        around = self.parentWidget()
-        if before == CARDS_HEIGHTS[0] and isinstance(around, QSplitter):
-            around.setSizes(list(HEIGHTS))
+        splitter = self.parentWidget()
+        if before == CARDS_HEIGHTS[0] and isinstance(splitter, QSplitter):
+            splitter.setSizes(list(HEIGHTS))
 
     def _enable(self) -> None:
         alarm = self.cards.chosen()
@@ -378,13 +378,13 @@ class AlarmPanel(QWidget):
         self._enable_buttons()
 
     def _enable_buttons(self) -> None:
-        """Offer what can be done with the chosen alarm; nothing can with a recorded one."""
+        """Enable the actions on the chosen alarm; a recorded one has none."""
         alarm = None if self._recorded else self.cards.chosen()
         self.all.setEnabled(waiting(self.cards.alarms) and not self._recorded)
         self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)
         self.shelve.setEnabled(alarm is not None and bool(self.reason.text().strip()))
-        for one in (self.all, self.acknowledge):
-            one.setToolTip(tr(RECORDED) if self._recorded else "")
+        for control in (self.all, self.acknowledge):
+            control.setToolTip(tr(RECORDED) if self._recorded else "")
 
     def _acknowledge(self) -> None:
         alarm = self.cards.chosen()
@@ -402,7 +402,7 @@ class AlarmPanel(QWidget):
 
 
 def alarm_page(host: Host) -> QWidget:
-    """Make the page of alarms, their journal and the limits."""
+    """Make the page of the alarms, their journal and the limits."""
     alarms = host.add("alarms", AlarmPanel())
     limits = host.add("limits", LimitPanel())
     journal = host.add("journal", AlarmJournal())

@@ -78,8 +78,8 @@ def line_of(data: LiveData, quantity: str, axis: str) -> Drawn:
     at = np.interp(line.x, revolutions, depths)
     order = np.argsort(at, kind="stable")
     beyond = [
-        None if one is None else (float(np.interp(one[0], revolutions, depths)), one[1])
-        for one in (line.above, line.under)
+        None if point is None else (float(np.interp(point[0], revolutions, depths)), point[1])
+        for point in (line.above, line.under)
     ]
     return Drawn(at[order], line.y[order], line.low, line.high, *beyond)
 
@@ -123,7 +123,7 @@ class ComparePanel(PlotPanel):
         self._draw()
 
     def load(self, paths: Sequence[Path]) -> None:
-        """Read tests on the worker and draw them when they are there."""
+        """Read tests on the worker and draw each as soon as it is read."""
         self._wanted = list(paths[:MOST])
         self._runs = []
         self.message.show_text(tr("Reading {} …", len(self._wanted)))
@@ -146,7 +146,7 @@ class ComparePanel(PlotPanel):
             self._draw()
 
     def _offer(self) -> None:
-        """Offer what any of the tests has."""
+        """List the quantities that any of the tests has."""
         tables = [run.data.channels for run in self._runs] or [BASE]
         columns = {name: text for table in tables for name, text in compared_columns(table).items()}
         if list(columns) == self._offered:
@@ -189,7 +189,7 @@ class ComparePanel(PlotPanel):
         if lines:
             self._place(lines)
             bottom, top = self.plot.viewRange()[1]
-            spots = [one for one in spots if not bottom <= one.y <= top]
+            spots = [spot for spot in spots if not bottom <= spot.y <= top]
         else:
             missing = tr("None of the chosen tests has {}.", self.quantity.currentText())
             self.plot.empty(missing if self._runs else CHOOSE)
@@ -197,8 +197,8 @@ class ComparePanel(PlotPanel):
 
     def _place(self, lines: Sequence[Drawn]) -> None:
         """Show every line whole across; flagged revolutions do not range the axis upwards."""
-        left = min(float(one.x.min()) for one in lines)
-        right = max(float(one.x.max()) for one in lines)
+        left = min(float(line.x.min()) for line in lines)
+        right = max(float(line.x.max()) for line in lines)
         self.plot.show_range("x", left, max(right, left + 1e-6))
         self.plot.steady = SteadyRange(1e-6)
-        self.plot.fit(min(one.low for one in lines), max(one.high for one in lines))
+        self.plot.fit(min(line.low for line in lines), max(line.high for line in lines))

@@ -44,7 +44,7 @@ ROLES = ("first", "second")
 
 @dataclass(frozen=True, slots=True)
 class CurveGroup:
-    """Channels drawn together; centred: each less its mean, for what moves matters, not where."""
+    """Channels drawn together; centred: each less its mean, since only the movement matters."""
 
     title: str
     channels: tuple[Channel, ...]
@@ -59,9 +59,9 @@ def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
     texts = tuple(f"{title_of(table[name])}, {tr(direction)}" for name, direction in directions)
     probes = CurveGroup(tr("Pin position"), tuple(table[n] for n in names), texts, centred=True)
     return probes, *(
-        CurveGroup(title_of(one), (one,), (title_of(one),))
-        for one in table.free
-        if one.kind is not Kind.SLOW
+        CurveGroup(title_of(channel), (channel,), (title_of(channel),))
+        for channel in table.free
+        if channel.kind is not Kind.SLOW
     )
 
 
@@ -105,9 +105,9 @@ class ChannelCurvePanel(PlotPanel):
             return
         angle = cycle.angle_deg.astype(np.float64)
         shown = [
-            cycle.channels[one.name].astype(np.float64)
-            for one in self.group.channels
-            if one.name in cycle.channels
+            cycle.channels[channel.name].astype(np.float64)
+            for channel in self.group.channels
+            if channel.name in cycle.channels
         ]
         if not shown:
             self._nothing(tr("Revolution {} does not have it", cycle.revolution))
@@ -122,7 +122,7 @@ class ChannelCurvePanel(PlotPanel):
         self.plot.fit(low, high)
 
     def _offer(self, table: ChannelTable) -> None:
-        """Offer what a table has; what was chosen stays, where it is still there."""
+        """List the groups of a table; the choice stays where it is still there."""
         chosen = self.choice.currentText()
         self._table, self._groups = table, curve_groups(table)
         self.choice.blockSignals(True)
@@ -148,7 +148,7 @@ class ChannelCurvePanel(PlotPanel):
         self.plot.empty(f"{tr(why)}: {waiting}")
 
     def _show_names(self, ends: list[float]) -> None:
-        """Name the curves where they end; unit and means stand above."""
+        """Name the curves where they end; unit and means are above."""
         group = self.group
         means = ", ".join(f"{mean:.1f}" for mean in self._means)
         unit = unit_text(group.channels[0].unit)
@@ -165,7 +165,7 @@ class ChannelCurvePanel(PlotPanel):
 STATISTICS: Final[tuple[Text, ...]] = ("max", "min", "RMS")
 BESIDE_FROM = 112 * STEP
 TALL = 60 * STEP
-"""Height of curves and of vector and channels, where they stand below each other."""
+"""Height of curves and of vector and channels, where they are below each other."""
 KINDS: Final[tuple[Text, ...]] = ("meas.", "model", "diff.")
 
 COMPONENTS, VALUES = 3, len(STATISTICS) * len(KINDS)
@@ -174,9 +174,9 @@ UPRIGHT_BELOW = 104 * STEP
 
 
 class ValueTable(QTableWidget):
-    """Repeat in numbers what the overlay shows, for eyes, ears and the clipboard.
+    """Statistics of the overlay in numbers, also for screen readers and the clipboard.
 
-    A row a component; in a narrow window, where its values would be cut, a column each.
+    A row for each component; in a narrow window, where its values would be cut, a column.
     """
 
     def __init__(self, prefix: str) -> None:
@@ -200,16 +200,16 @@ class ValueTable(QTableWidget):
         table = [unknown] * COMPONENTS
         if shown is not None:
             table = [list(values) for _, values in statistics(shown)]
-        self._fill([[_signed(value, at) for at, value in enumerate(line)] for line in table])
+        self._fill([[_signed(value, index) for index, value in enumerate(line)] for line in table])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Turn to where the values have room; unseen, a table has widths that it never keeps."""
+        """Turn the table where its values need it; while hidden its width is not final."""
         super().resizeEvent(event)
         if self.isVisible():
             self._turn()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Turn to where the values have room."""
+        """Turn the table where its values need it."""
         self._turn()
         super().showEvent(event)
 
@@ -223,22 +223,22 @@ class ValueTable(QTableWidget):
             self._fill(texts)
 
     def texts(self) -> list[list[str]]:
-        """Return what is shown, a list a component."""
+        """Return what is shown, a list for each component."""
         return [
             [
-                item.text() if (item := self._cell(line, at)) is not None else "–"
-                for at in range(VALUES)
+                item.text() if (item := self._cell(component, index)) is not None else "–"
+                for index in range(VALUES)
             ]
-            for line in range(COMPONENTS)
+            for component in range(COMPONENTS)
         ]
 
-    def _cell(self, line: int, at: int) -> QTableWidgetItem | None:
-        return self.item(at, line) if self._upright else self.item(line, at)
+    def _cell(self, component: int, index: int) -> QTableWidgetItem | None:
+        return self.item(index, component) if self._upright else self.item(component, index)
 
     def _head(self) -> None:
-        """Name rows and columns; names that stay cost nothing, others lay out the whole table."""
+        """Name rows and columns, only when the names change: that lays out the whole table."""
         between = " " if self._upright else "\n"
-        kinds = [f"{tr(one)}{between}{tr(kind)}" for one in STATISTICS for kind in KINDS]
+        kinds = [f"{tr(name)}{between}{tr(kind)}" for name in STATISTICS for kind in KINDS]
         names = (self._names, kinds) if self._upright else (kinds, self._names)
         if names != self._headed:
             self._headed = names
@@ -247,26 +247,27 @@ class ValueTable(QTableWidget):
 
     def _fill(self, texts: list[list[str]]) -> None:
         self._head()
-        for line, values in enumerate(texts):
-            for at, text in enumerate(values):
-                item = self._cell(line, at)
+        for component, values in enumerate(texts):
+            for index, text in enumerate(values):
+                item = self._cell(component, index)
                 if item is None:
                     item = QTableWidgetItem()
                     item.setTextAlignment(
                         Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
                     )
-                    self.setItem(*((at, line) if self._upright else (line, at)), item)
+                    cell = (index, component) if self._upright else (component, index)
+                    self.setItem(*cell, item)
                 if item.text() != text:
                     item.setText(text)
         height = self.horizontalHeader().sizeHint().height() + 4
         rows = (
-            max(self.sizeHintForRow(one), self.rowHeight(one)) for one in range(self.rowCount())
+            max(self.sizeHintForRow(row), self.rowHeight(row)) for row in range(self.rowCount())
         )
         self.setFixedHeight(height + sum(rows) + 6)
 
 
-def _signed(value: float, at: int) -> str:
-    sign = "+" if at % len(KINDS) == 2 else ""
+def _signed(value: float, index: int) -> str:
+    sign = "+" if index % len(KINDS) == 2 else ""
     return "–" if value != value else true_minus(f"{value:{sign}.2f}")
 
 
@@ -276,7 +277,7 @@ WAITING: Final[Text] = "No revolution measured yet: the force is drawn here wher
 
 
 class PolarPanel(PlotPanel):
-    """Draw both components against each other with circles of equal force."""
+    """Draw both force components against each other, with circles of equal force."""
 
     def __init__(self, prefix: str, theme: Theme) -> None:
         super().__init__(f"{prefix}_polar_panel", "Force vector over one revolution")
@@ -324,7 +325,7 @@ class PolarPanel(PlotPanel):
 
 
 class CyclePanel(FoldingSplitter):
-    """Hold the overlay with its tools on the left, vector and other channels on the right."""
+    """The overlay with its tools on the left, vector and other channels on the right."""
 
     revolution_wanted = Signal(int)
     takes = Takes.REVOLUTION
@@ -384,7 +385,7 @@ class CyclePanel(FoldingSplitter):
         self.overlay.compare_with(stored)
 
     def no_revolution(self) -> None:
-        """Take note that there is nothing to compare with."""
+        """Release the button: there is nothing to compare with."""
         self.show_stored.setChecked(False)
 
     def _held(self, held: bool) -> None:

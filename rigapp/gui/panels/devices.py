@@ -54,31 +54,31 @@ RAW_PLACES = 4
 """Of a raw value: 0.02 N of a cell of 400 N at 2 mV/V, a hundredth of what it resolves."""
 
 LINK_WINDOW_S = 60.0
-"""Losses within it are told as of now: an operator looks again within a minute."""
-LINK_LOOKS = 256
-"""Looks at a link that are kept: two a second fill the window twice."""
+"""Losses within it are shown as present: an operator looks again within a minute."""
+LINK_READINGS = 256
+"""Stored readings of a link: two a second fill the window twice."""
 
 TABLE_HEIGHT = 26 * STEP
 CARD_WIDTH = 42 * STEP
-"""Of a card at least; more of them stand beside each other where there is room."""
+"""Of a card at least; more of them are beside each other where there is room."""
 
 
 class LinkWatch:
-    """Tell how good the link to a device is, from what was lost on it and when."""
+    """Rate the link to a device by what was lost on it and when."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
-        self._looks: deque[tuple[float, int, int]] = deque(maxlen=LINK_LOOKS)
+        self._readings: deque[tuple[float, int, int]] = deque(maxlen=LINK_READINGS)
 
     def look(self, device: DeviceView) -> tuple[str, bool]:
         """Return the quality of the link in words, and whether it is disturbed now."""
         now, lost, errors = self._clock(), device.lost_samples, device.errors
-        if self._looks and (lost, errors) < self._looks[-1][1:]:
-            self._looks.clear()  # counted anew since it was connected again
-        self._looks.append((now, lost, errors))
-        while self._looks[0][0] < now - LINK_WINDOW_S:
-            self._looks.popleft()
-        _, lost_before, errors_before = self._looks[0]
+        if self._readings and (lost, errors) < self._readings[-1][1:]:
+            self._readings.clear()  # counted anew since it was connected again
+        self._readings.append((now, lost, errors))
+        while self._readings[0][0] < now - LINK_WINDOW_S:
+            self._readings.popleft()
+        _, lost_before, errors_before = self._readings[0]
         if lost > lost_before or errors > errors_before:
             words = tr(
                 "disturbed: {} samples lost, {} errors in the last minute",
@@ -92,7 +92,7 @@ class LinkWatch:
 
 
 class DeviceCard(QFrame):
-    """One device: health, link, warnings of its own; what was counted under Details."""
+    """One device: health, link, warnings; its counters under Details."""
 
     reconnect_wanted = Signal(str)
     help_wanted = Signal(str)
@@ -132,16 +132,16 @@ class DeviceCard(QFrame):
         grid.setHorizontalSpacing(GAP)
         grid.setColumnStretch(1, 1)
         lines: tuple[tuple[Text, QLabel], ...] = (("Link", self.link), ("Device", self.warnings))
-        for place, (caption, line) in enumerate(lines):
-            grid.addWidget(QLabel(tr(caption)), place, 0)
-            grid.addWidget(line, place, 1)
+        for row, (caption, label) in enumerate(lines):
+            grid.addWidget(QLabel(tr(caption)), row, 0)
+            grid.addWidget(label, row, 1)
         head = flowing(self.chip, (self.title, 1), self.help, self.more, self.reconnect)
         column(
             head, self.identity, grid, self.details, on=self, margins=(MARGIN, GAP), spacing=STEP
         )
 
     def show_device(self, device: DeviceView, *, connecting: bool = False) -> None:
-        """Show a device as it is now; connecting: the rig's devices are just being connected."""
+        """Show the state of a device; connecting: the rig's devices are being connected."""
         link, disturbed = self._link.look(device)
         awaited = connecting and not device.connected and not device.last_error
         health, word = _health(device, disturbed=disturbed, awaited=awaited)
@@ -157,8 +157,8 @@ class DeviceCard(QFrame):
         tell(self.link, "role", "caution" if unsound else "")
         self.link.setText(link)
         self.warnings.setText(translate(device.advice) or tr("no warning"))
-        told = (details_of(device.last_error), details_of(device.advice), counted(device))
-        self.details.setText("\n".join(filter(None, told)))
+        details = (details_of(device.last_error), details_of(device.advice), counted(device))
+        self.details.setText("\n".join(filter(None, details)))
         self._section = device.help
         self.help.setVisible(bool(device.help))
         self.setAccessibleDescription(f"{tr(word)}, {link}")
@@ -183,7 +183,7 @@ def _health(device: DeviceView, *, disturbed: bool, awaited: bool) -> tuple[str,
 
 
 def counted(device: DeviceView) -> str:
-    """Return everything that was counted of a device, a line each."""
+    """Return all counters of a device, a line each."""
     counters = {
         tr("samples lost"): device.lost_samples,
         tr("errors"): device.errors,
@@ -274,13 +274,13 @@ class DevicePanel(QWidget):
         lower = WrappingGrid(CARD_WIDTH)
         for title, table in (("Drive", self.drive), ("Engine and window", self.health)):
             lower.addWidget(_carded(title, table))
-        made = filled(
+        layout = filled(
             QVBoxLayout(inside),
             (self._cards, tools, _carded("Channels", self.channels), self.report, lower),
         )
-        made.setContentsMargins(0, 0, 0, 0)
-        made.setSpacing(GAP)
-        made.addStretch(1)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(GAP)
+        layout.addStretch(1)
         area = scrolling("device_area", "Devices and channels", inside)
         column((area, 1), on=self)
 
@@ -294,17 +294,17 @@ class DevicePanel(QWidget):
         self._state = status.engine.state if status is not None else None
         if status is not None:
             self._show_devices(status)
-            told, sampled = age_of(news, Renewed.STATUS), age_of(news, Renewed.SAMPLE)
-            self._show_channels(status, told, sampled)
-            self._show_drive(status, told)
+            received, sampled = age_of(news, Renewed.STATUS), age_of(news, Renewed.SAMPLE)
+            self._show_channels(status, received, sampled)
+            self._show_drive(status, received)
         self._show_health(status, silence_s)
         self.report.show_status(status)
         self._enable()
 
     def _show_devices(self, status: Status) -> None:
         names = [device.name for device in status.rig.devices]
-        for gone in self.cards.keys() - names:
-            self.cards.pop(gone).deleteLater()
+        for name in self.cards.keys() - names:
+            self.cards.pop(name).deleteLater()
         for device in status.rig.devices:
             if device.name not in self.cards:
                 card = DeviceCard(device.name, self._clock)
@@ -315,10 +315,10 @@ class DevicePanel(QWidget):
             connecting = status.engine.state is RunState.CONNECTING
             self.cards[device.name].show_device(device, connecting=connecting)
 
-    def _show_channels(self, status: Status, told: Age, sampled: Age) -> None:
+    def _show_channels(self, status: Status, received: Age, sampled: Age) -> None:
         aged_channels = [
-            (one, (sampled if one.age_s is None else told).and_before(one.age_s))
-            for one in status.rig.channels
+            (channel, (sampled if channel.age_s is None else received).and_before(channel.age_s))
+            for channel in status.rig.channels
         ]
         rows = [
             (
@@ -336,7 +336,7 @@ class DevicePanel(QWidget):
         old = (self._theme.base, self._theme.muted)
         self.channels.show_rows(rows, [old if age.old else None for _, age in aged_channels])
 
-    def _show_drive(self, status: Status, told: Age) -> None:
+    def _show_drive(self, status: Status, received: Age) -> None:
         drive, warning = status.rig.drive, self._theme.mark(critical=False)
         if drive is None:
             self.drive.show_rows([(tr("State"), tr("not connected"))], [warning])
@@ -345,7 +345,8 @@ class DevicePanel(QWidget):
         if drive.speed_rpm is not None and drive.setpoint_rpm is not None:
             speed = tr("{:.2f} of {:.2f} rpm", drive.speed_rpm, drive.setpoint_rpm)
         faults, warnings = (
-            ", ".join(map(translate, said)) or tr("none") for said in (drive.faults, drive.warnings)
+            ", ".join(map(translate, texts)) or tr("none")
+            for texts in (drive.faults, drive.warnings)
         )
         rows: list[tuple[Text, Text, object]] = [
             ("Speed", speed, False),
@@ -361,7 +362,7 @@ class DevicePanel(QWidget):
             ("Faults", faults, drive.faults),
             ("Warnings", warnings, drive.warnings),
         ]
-        age = told.and_before(drive.age_s)
+        age = received.and_before(drive.age_s)
         old = (self._theme.base, self._theme.muted) if age.old else None
         if old is not None:
             rows.insert(0, ("Last answer", age.text, False))
@@ -389,8 +390,8 @@ class DevicePanel(QWidget):
         self.zero.setEnabled(standing and bool(self.reason.text().strip()))
         self.off.setEnabled(self._state not in (None, RunState.IDLE, RunState.CONNECTING))
         known = self._state in (*AT_REST, RunState.FAULT, RunState.CALIBRATING)
-        for one in (self.reconnect, *(card.reconnect for card in self.cards.values())):
-            one.setEnabled(known)
+        for control in (self.reconnect, *(card.reconnect for card in self.cards.values())):
+            control.setEnabled(known)
 
     def _reconnect(self, device: str) -> None:
         self.wanted.emit("reconnect", {"device": device})
@@ -402,7 +403,7 @@ class DevicePanel(QWidget):
 
 
 def _carded(title: Text, table: PlainTable) -> QFrame:
-    """Return a table on a card, as high as a handful of rows."""
+    """Return a table on a card, a few rows high."""
     card = named(QFrame(), f"box_{table.objectName()}", title, role="card")
     table.setMinimumHeight(TABLE_HEIGHT)
     column(styled_label(title, "title"), table, on=card, margins=GAP, spacing=STEP)

@@ -1,4 +1,4 @@
-"""The fault list of the simulated rig: find one, cause it, watch what becomes of it, end it."""
+"""The fault list of the simulated rig: find a fault, cause it, end it."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from rigapp.viewer.tasks import TaskWorker
 BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 90 * STEP, 32 * STEP, 36 * STEP
 """Width of list and card beside each other; height of each below the other."""
 SIGNAL: Final = "signal"
-"""Where a fault of a signal is; its duration is simulated time, that of any other the clock's."""
+"""Place of a signal fault; its duration is simulated time, that of any other real time."""
 
 SECONDS: Final[tuple[tuple[Text, str], ...]] = (
     ("real seconds", "real"),
@@ -60,7 +60,7 @@ class FaultPanel(QWidget):
             "fault_search", "Find a fault", self._show, hint="find, e.g. cable, spikes, daq"
         )
         self.search.setClearButtonEnabled(True)
-        self.found: list[FaultChoice] = []
+        self.shown: list[FaultChoice] = []
         self.list = PlainTable("fault_list", "Faults", ("Where", "Fault"), marked=0)
         self.list.itemSelectionChanged.connect(self._chosen)
         self.channel = choice("fault_channel", "Channel of a signal fault", ())
@@ -101,27 +101,28 @@ class FaultPanel(QWidget):
         form.addRow(self.problem)
         column(note, form, None, on=card, margins=(2 * STEP, GAP), spacing=GAP)
         left = filled(QVBoxLayout(), (self.search, (self.list, 1)))
-        found = QWidget()
-        found.setLayout(left)
+        search = QWidget()
+        search.setLayout(left)
         left.setContentsMargins(0, 0, 0, 0)
-        for one in (self.search, self.duration, self.value):
-            fit_hint(one)
+        for box in (self.search, self.duration, self.value):
+            fit_hint(box)
         card.setMinimumHeight(CARD_HEIGHT)
         parts = FoldingSplitter("fault_split", BESIDE_FROM).divide(
-            (found, 500, LIST_HEIGHT), (card, 500, CARD_HEIGHT)
+            (search, 500, LIST_HEIGHT), (card, 500, CARD_HEIGHT)
         )
         column(parts, on=self)
 
     def show_news(self, news: News) -> None:
-        """Offer the faults of the devices that are there, and the inputs of the rig."""
+        """List the faults of the connected devices, and the inputs of the rig."""
         status = news.status
         if status is None:
             return
         if status.rig.simulated_speed != self._speed:
             self._speed = status.rig.simulated_speed
             self._convert()
-        views = [one.name for one in status.rig.channels if one.age_s is None and one.name != SIZE]
-        self._offer_channels(views or [one.name for one in BASE.sampled])
+        sampled = [view.name for view in status.rig.channels if view.age_s is None]
+        names = [name for name in sampled if name != SIZE]
+        self._offer_channels(names or [channel.name for channel in BASE.sampled])
         devices = tuple((device.name, device.driver) for device in status.rig.devices)
         if devices == self._devices or not devices:
             return
@@ -138,22 +139,22 @@ class FaultPanel(QWidget):
         self._show()
 
     def _show(self) -> None:
-        """List the faults that have every word that is looked for; what was chosen stays."""
+        """List the faults that contain every searched word; the choice stays."""
         chosen = self._choice()
         words = self.search.text().lower().split()
-        self.found = [
-            one
-            for one in self._choices
-            if all(word in f"{one.where} {_words(one.kind)}".lower() for word in words)
+        self.shown = [
+            fault
+            for fault in self._choices
+            if all(word in f"{fault.where} {_words(fault.kind)}".lower() for word in words)
         ]
-        self.list.show_rows([(one.where, _words(one.kind)) for one in self.found])
-        if self.found:
-            self.list.selectRow(self.found.index(chosen) if chosen in self.found else 0)
+        self.list.show_rows([(fault.where, _words(fault.kind)) for fault in self.shown])
+        if self.shown:
+            self.list.selectRow(self.shown.index(chosen) if chosen in self.shown else 0)
         self._chosen()
 
     def _offer_channels(self, names: list[str]) -> None:
-        """Offer the channels with an input; what was chosen stays, where it is still there."""
-        if names == [self.channel.itemText(place) for place in range(self.channel.count())]:
+        """List the channels with an input; the choice stays where it is still there."""
+        if names == [self.channel.itemText(index) for index in range(self.channel.count())]:
             return
         chosen = self.channel.currentText()
         self.channel.clear()
@@ -161,7 +162,7 @@ class FaultPanel(QWidget):
         self.channel.setCurrentIndex(max(self.channel.findText(chosen), 0))
 
     def _choice(self) -> FaultChoice | None:
-        return self.list.chosen_of(self.found)
+        return self.list.chosen_of(self.shown)
 
     def _chosen(self) -> None:
         chosen = self._choice()
@@ -171,12 +172,12 @@ class FaultPanel(QWidget):
 
     @property
     def _runs_at(self) -> float | None:
-        """Return how many simulated seconds pass in a real one; None where nobody can tell."""
+        """Return how many simulated seconds pass in a real one, None where unknown."""
         known = math.isfinite(self._speed) and self._speed > 0.0
         return self._speed if known else None
 
     def _convert(self) -> None:
-        """Tell the duration in the other seconds."""
+        """Show the duration in the other kind of seconds."""
         speed, text = self._runs_at, ""
         try:
             seconds = number(self.duration.text())
@@ -190,16 +191,16 @@ class FaultPanel(QWidget):
         self.converted.setText(text)
 
     def _seconds_for(self, fault: FaultChoice, seconds: float) -> float:
-        """Return a duration in the seconds that the fault lives by; raise ValueError."""
-        lives_by = "simulated" if fault.where == SIGNAL else "real"
-        if self.seconds.currentData() == lives_by:
+        """Return a duration in the seconds that the fault uses; raise ValueError."""
+        used = "simulated" if fault.where == SIGNAL else "real"
+        if self.seconds.currentData() == used:
             return seconds
         if self._runs_at is None:
-            named_so = next(text for text, which in SECONDS if which == lives_by)
+            named_so = next(text for text, kind in SECONDS if kind == used)
             raise ValueError(
                 tr("This rig runs as fast as it can: choose {} for this fault.", tr(named_so))
             )
-        return seconds * self._runs_at if lives_by == "simulated" else seconds / self._runs_at
+        return seconds * self._runs_at if used == "simulated" else seconds / self._runs_at
 
     def _cause(self) -> None:
         chosen = self._choice()
@@ -223,13 +224,13 @@ class FaultPanel(QWidget):
         self.problem.setText("")
         self.wanted.emit("inject_fault", arguments)
 
-    def _number(self, text: str, what: str) -> float | None:
+    def _number(self, text: str, subject: str) -> float | None:
         if not text.strip():
             return None
         try:
             return number(text)
         except ValueError:
-            raise ValueError(tr("{} must be a number, not {}.", what, repr(text))) from None
+            raise ValueError(tr("{} must be a number, not {}.", subject, repr(text))) from None
 
     def _end(self) -> None:
         chosen = self._choice()

@@ -1,4 +1,4 @@
-"""The limits of the running test: seen, and changed with a reason that goes into the log."""
+"""The limits of the running test, which are changed with a reason for the log."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from rigapp.viewer.news import News, Takes
 REVOLUTIONS = "revolutions"
 VALUE_WIDTH = 10 * STEP
 TABLE_HEIGHT = 18 * STEP
-"""Its heading and three limits, of which German ones take two lines each."""
+"""Its heading and three limits, which take two lines each in German."""
 
 
 @dataclass(frozen=True, slots=True)
 class ShownLimit:
-    """A limit by its words, its present value and unit."""
+    """A limit in words, with its present value and unit."""
 
     words: str
     value: float
@@ -47,20 +47,20 @@ def limits_of(
     """Return every limit by its name, changes applied."""
     if test is None:
         return {}
-    found = {
-        name: ShownLimit(translate(one.sentence), float(getattr(test.limits, name)), one.unit)
-        for name, one in ALWAYS.items()
+    limits = {
+        name: ShownLimit(translate(limit.sentence), float(getattr(test.limits, name)), limit.unit)
+        for name, limit in ALWAYS.items()
     }
     for level in levels_of([tree_of(rule) for rule in test.limits.rule]):
         if level.value is not None:
             unit = unit_of_quantity(level.quantity, table)
-            found[f"{level.quantity}.{level.bound}"] = ShownLimit(
+            limits[f"{level.quantity}.{level.bound}"] = ShownLimit(
                 level.condition(table), level.value, unit
             )
     for name, value in changed.items():
-        known = found.get(name, ShownLimit(name.replace("_", " "), value))
-        found[name] = replace(known, value=value)
-    return found
+        known = limits.get(name, ShownLimit(name.replace("_", " "), value))
+        limits[name] = replace(known, value=value)
+    return limits
 
 
 class LimitPanel(QGroupBox):
@@ -101,7 +101,7 @@ class LimitPanel(QGroupBox):
         self._enable()
 
     def show_news(self, news: News) -> None:
-        """Show the limits of the test, with the changes that its log tells of."""
+        """Show the limits of the test, with the changes in its log."""
         status = news.status
         state = status.engine.state if status is not None else None
         self.pin.setVisible(status is not None and status.rig.limits_need_pin)
@@ -127,8 +127,8 @@ class LimitPanel(QGroupBox):
             self._shown = limits
             self.table.show_rows(
                 [
-                    (one.words, f"{_grouped(one.value)} {one.unit}".rstrip())
-                    for one in limits.values()
+                    (limit.words, f"{_grouped(limit.value)} {limit.unit}".rstrip())
+                    for limit in limits.values()
                 ]
             )
         self._enable()

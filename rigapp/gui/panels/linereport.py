@@ -1,4 +1,4 @@
-"""Record what devices and program say to each other, for a report of an error, and pack it."""
+"""Record the traffic between devices and program for a bug report, and pack it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ ABOUT: Final[Text] = (
 
 
 class LineReportCard(QFrame):
-    """Choose devices and time, record, end; say what is recorded and where the report is.
+    """Choose devices and time, record, end; show what is recorded and where the report is.
 
     folder: where reports are written. wanted: a request to the engine.
     """
@@ -59,12 +59,12 @@ class LineReportCard(QFrame):
             "End the recording and pack it",
             guarded=True,
         )
-        self.told = prose("report_told", "What is recorded for a bug report", role="secondary")
+        self.progress = prose("report_told", "What is recorded for a bug report", role="secondary")
         column(
             styled_label("Record for a bug report", "title"),
             prose("report_about", "What is recorded", ABOUT, role="caption"),
             flowing(self.devices, self.time, self.reconnect, self.record, self.end),
-            self.told,
+            self.progress,
             on=self,
             margins=(MARGIN, GAP),
             spacing=STEP,
@@ -72,9 +72,10 @@ class LineReportCard(QFrame):
         self.show_status(None)
 
     def show_status(self, status: Status | None) -> None:
-        """Show what is recorded now, or what became of the last report."""
-        names = [one.name for one in status.rig.devices] if status is not None else []
-        if names and [self.devices.itemData(at) for at in range(1, self.devices.count())] != names:
+        """Show what is recorded now, or where the last report is."""
+        names = [device.name for device in status.rig.devices] if status is not None else []
+        listed = [self.devices.itemData(index) for index in range(1, self.devices.count())]
+        if names and listed != names:
             chosen = self.devices.currentData()
             while self.devices.count() > 1:
                 self.devices.removeItem(1)
@@ -84,13 +85,13 @@ class LineReportCard(QFrame):
         report = status.engine.line_report if status is not None else None
         recording = report is not None and not report.sentence
         state = status.engine.state if status is not None else None
-        for one in (self.devices, self.time):
-            one.setEnabled(not recording)
+        for control in (self.devices, self.time):
+            control.setEnabled(not recording)
         self.reconnect.setEnabled(not recording and state not in (*ACTIVE, RunState.CALIBRATING))
         self.record.setEnabled(status is not None and not recording)
         self.end.setEnabled(recording)
-        self.told.setText("" if report is None else words_of(report, time.time()))
-        self.told.setVisible(report is not None)
+        self.progress.setText("" if report is None else words_of(report, time.time()))
+        self.progress.setVisible(report is not None)
 
     def _begin(self) -> None:
         name = time.strftime("bug-report-%Y%m%d-%H%M%S.zip")
@@ -107,7 +108,7 @@ class LineReportCard(QFrame):
 
 
 def words_of(report: LineReport, now: float) -> str:
-    """Return what is recorded, and for how long still, or what came of it; now: s since 1970."""
+    """Return what is recorded, and for how long still, or its result; now: s since 1970."""
     if report.sentence:
         return translate(report.sentence)
     devices, since = ", ".join(report.devices), max(0.0, now - report.since)

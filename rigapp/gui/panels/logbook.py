@@ -24,7 +24,7 @@ CODES: Final[tuple[Text, ...]] = (
     "message", "note", "rest", "specimen", "state", "step", "stopped", "suspended", "twin",
     "viewer", "zero", "engine", "limits", "messages", "operator", "drive",
 )  # fmt: skip
-"""What the log calls what happened, and who did it; names of devices and people stay."""
+"""Kinds and sources of log lines; names of devices and people are not translated."""
 LOG_LINES, JOURNAL_LINES = 2000, 500
 """Newest lines shown; all of them are in the file."""
 
@@ -46,7 +46,7 @@ class LogPanel(QWidget):
         column(top, (self.table, 1), on=self)
 
     def show_news(self, news: News) -> None:
-        """Show the log as it was read last."""
+        """Show the newest log."""
         if news.log_problem:
             self.count.setText(news.log_problem)
         elif news.events is not self._events:
@@ -93,26 +93,26 @@ class AlarmJournal(QFrame):
         )
 
     def show_news(self, news: News) -> None:
-        """Show the journal as the log was read last."""
+        """Show the newest journal."""
         if news.events is self._events:
             return
         self._events = news.events
-        lines = [one for one in reversed(news.events) if one.kind == ALARM][:JOURNAL_LINES]
+        lines = [event for event in reversed(news.events) if event.kind == ALARM][:JOURNAL_LINES]
         self.table.show_rows(
             [
                 (
-                    dated("%d %b %H:%M:%S", time.localtime(one.time)),
-                    str(one.revolution),
-                    translate(one.text),
-                    _who(one.source),
+                    dated("%d %b %H:%M:%S", time.localtime(event.time)),
+                    str(event.revolution),
+                    translate(event.text),
+                    _who(event.source),
                 )
-                for one in lines
+                for event in lines
             ]
         )
 
 
 def _who(source: str) -> str:
-    """Return who did something; a part of the program tells of devices by their own names."""
+    """Return the source of an event; all parts of the program have one name."""
     return tr("program") if source.startswith("rigapp") else tr(source)
 
 

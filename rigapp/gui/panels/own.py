@@ -77,7 +77,7 @@ class OwnPart(QFrame):
         self.inside = inside
         self.moves: dict[str, QPushButton] = {}
         for what, sign, tip in MOVES:
-            made = button(
+            move = button(
                 f"own_{name}_{what}",
                 sign,
                 partial(act, name, what),
@@ -85,8 +85,8 @@ class OwnPart(QFrame):
                 tip=tip,
                 rank="quiet",
             )
-            made.setFixedSize(SMALL)
-            self.moves[what] = made
+            move.setFixedSize(SMALL)
+            self.moves[what] = move
         self.title = ElidedLabel(f"own_{name}_title", title)
         self.title.show_text(title)
         self.title.setFont(sized(self.title.font(), CAPTION_PT))
@@ -117,12 +117,12 @@ class OwnPage(QWidget):
         self.add_tile = button("own_add_tile", "Add tile", self._add_tile)
         self.add_plot = button("own_add_plot", "Add plot", self._add_plot)
         self.save = button("own_save", "Save with the test file", self._save, rank="primary")
-        self.told = prose("own_told", "The page of one's own", EMPTY_PAGE, role="caption")
+        self.hint = prose("own_told", "The page of one's own", EMPTY_PAGE, role="caption")
         self._tiles, self._plots = QWidget(), QWidget()
         self._tile_grid = WrappingGrid(TILE_WIDTH, TILES_ACROSS, on=self._tiles)
         self._plot_grid = WrappingGrid(PLOT_WIDTH, 2, on=self._plots)
         head = flowing((self.tile, 1), self.add_tile, (self.plot, 1), self.add_plot, self.save)
-        column(head, self.told, self._tiles, self._plots, None, on=self, spacing=GAP)
+        column(head, self.hint, self._tiles, self._plots, None, on=self, spacing=GAP)
         self._offer()
         self._arrange()
 
@@ -134,13 +134,13 @@ class OwnPage(QWidget):
                 part.inside.dress(theme)
 
     def take_view(self, view: ViewSection) -> None:
-        """Show the arrangement of a test file; one that was shown already stays as it is now."""
+        """Show the arrangement of a test file, unless it was the last one applied."""
         if view != self._taken:
             self._taken = view
             self._show(view)
 
     def show_news(self, news: News) -> None:
-        """Draw what has changed; a test that runs or is replayed brings its arrangement along."""
+        """Draw what has changed; a running or replayed test has its own arrangement."""
         if news.recipe is not None and news.recipe.view != ViewSection():
             self.take_view(news.recipe.view)
         if news.data.channels is not self._table:
@@ -173,7 +173,7 @@ class OwnPage(QWidget):
             choose(box, chosen)
 
     def _titles(self) -> dict[str, str]:
-        return {name: tr("{} against cycle", one.title) for name, one in self._quantities.items()}
+        return {key: tr("{} against cycle", item.title) for key, item in self._quantities.items()}
 
     def _add_tile(self) -> None:
         self._change(tiles=_added(self.view.tiles, self.tile.currentData(), MOST_TILES))
@@ -183,10 +183,10 @@ class OwnPage(QWidget):
 
     def _move(self, kind: str, name: str, what: str) -> None:
         names = list(getattr(self.view, kind))
-        at = names.index(name)
+        index = names.index(name)
         names.remove(name)
         if what != "away":
-            names.insert(max(at + (1 if what == "later" else -1), 0), name)
+            names.insert(max(index + (1 if what == "later" else -1), 0), name)
         self._change(**{kind: tuple(names)})
 
     def _change(self, **parts: tuple[str, ...]) -> None:
@@ -198,16 +198,16 @@ class OwnPage(QWidget):
         self._arrange()
 
     def _arrange(self) -> None:
-        """Put every part at its place; what stays is moved, not made anew."""
+        """Put every part in its place; existing parts are moved, not made anew."""
         wanted = [name for name in self.view.tiles if name in self._columns]
         plots = [
-            f"plot {one}" for one in self.view.plots if one == CYCLE or one in self._quantities
+            f"plot {plot}" for plot in self.view.plots if plot == CYCLE or plot in self._quantities
         ]
         for name in self._made.keys() - {*wanted, *plots}:
-            gone = self._made.pop(name)
-            gone.hide()
-            gone.setParent(None)
-            gone.deleteLater()
+            part = self._made.pop(name)
+            part.hide()
+            part.setParent(None)
+            part.deleteLater()
         for grid, names in ((self._tile_grid, wanted), (self._plot_grid, plots)):
             while grid.count():
                 grid.takeAt(0)
@@ -218,8 +218,8 @@ class OwnPage(QWidget):
         self._drawn = ()
         lost = {*self.view.tiles, *self.view.plots} - {*self._columns, *self._quantities, CYCLE}
         text = tr("This rig does not have: {}.", ", ".join(sorted(lost))) if lost else ""
-        self.told.setText(text or tr(EMPTY_PAGE))
-        self.told.setVisible(bool(lost) or not self._made)
+        self.hint.setText(text or tr(EMPTY_PAGE))
+        self.hint.setVisible(bool(lost) or not self._made)
         self._tiles.setVisible(bool(wanted))
         self._plots.setVisible(bool(plots))
 
@@ -239,14 +239,14 @@ class OwnPage(QWidget):
             title = self._columns[name].rpartition(" (")[0] or self._columns[name]
             bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
             inside = FittedLabel(f"own_{name}_value", title, bold)
-        place = "plots" if name.startswith("plot ") else "tiles"
-        made = OwnPart(name.replace(" ", "_"), title, inside, lambda _, what: self._move(
-            place, name.removeprefix("plot "), what))  # fmt: skip
-        if place == "plots":
-            made.setFixedHeight(PLOT_HEIGHT)
-            offer_menus(made, self._host.say)
-        self._made[name] = made
-        return made
+        kind = "plots" if name.startswith("plot ") else "tiles"
+        part = OwnPart(name.replace(" ", "_"), title, inside, lambda _, what: self._move(
+            kind, name.removeprefix("plot "), what))  # fmt: skip
+        if kind == "plots":
+            part.setFixedHeight(PLOT_HEIGHT)
+            offer_menus(part, self._host.say)
+        self._made[name] = part
+        return part
 
     def _save(self) -> None:
         try:
@@ -288,5 +288,5 @@ def _no_file(view: ViewSection) -> str:
 
 
 def own_page(host: Host) -> QWidget:
-    """Make the page of one's own; whoever has the open test file gives it ``save_view``."""
+    """Make the operator's own page; the page of the open test file sets its ``save_view``."""
     return host.add("own", OwnPage(host))

@@ -1,4 +1,4 @@
-"""The queue of the rig: tests one after another; put some in, take some out, begin, end."""
+"""The queue of the rig: tests one after another; add, remove, start, stop."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ STATES: Final[dict[ItemState, Text]] = {
 
 
 class QueuePanel(QWidget):
-    """List the queue and change it; what is asked goes to the engine, which keeps the list."""
+    """List the queue and change it by requests to the engine, which holds the list."""
 
     wanted = Signal(str, dict)
     takes = Takes.HISTORY
@@ -47,7 +47,7 @@ class QueuePanel(QWidget):
         self._folder = folder
         self._tests: tuple[QueuedTest, ...] = ()
         named(self, "queue_panel", "Queue")
-        self.told = prose("queue_told", "What the queue does")
+        self.summary = prose("queue_told", "What the queue does")
         self.list = PlainTable(
             "queue_list",
             "Tests of the queue",
@@ -80,31 +80,31 @@ class QueuePanel(QWidget):
             guarded=True,
         )
         buttons = flowing(self.begin, self.halt, None, self.add, self.take_out)
-        column(self.told, (self.list, 1), buttons, on=self, spacing=GAP)
+        column(self.summary, (self.list, 1), buttons, on=self, spacing=GAP)
         self._show((), works=False)
 
     def show_news(self, news: News) -> None:
-        """Show the queue as the engine tells it."""
+        """Show the queue of the engine."""
         status = news.status
         if status is not None:
             self._show(status.engine.queue, works=status.engine.queue_works)
 
     def add_files(self, paths: Sequence[str]) -> None:
-        """Ask for test files at the end of the queue."""
+        """Request test files at the end of the queue."""
         if paths:
             folder = str(self._folder.resolve())
             self.wanted.emit("queue_add", {"tests": list(paths), "folder": folder})
 
     def _show(self, tests: tuple[QueuedTest, ...], *, works: bool) -> None:
         self._tests = tests
-        self.list.show_rows([_texts(one) for one in tests])
-        left = [one for one in tests if one.state is not ItemState.DONE]
-        running = any(one.state is ItemState.RUNNING for one in tests)
-        stopped = next((one for one in tests if one.state is ItemState.STOPPED), None)
-        told = tr(WORKS if works else STANDS, len(left)) if tests else tr(NO_TESTS)
+        self.list.show_rows([_texts(test) for test in tests])
+        left = [test for test in tests if test.state is not ItemState.DONE]
+        running = any(test.state is ItemState.RUNNING for test in tests)
+        stopped = next((test for test in tests if test.state is ItemState.STOPPED), None)
+        summary = tr(WORKS if works else STANDS, len(left)) if tests else tr(NO_TESTS)
         if stopped is not None and not running:
-            told = tr(STOPPED, stopped.number)
-        self.told.setText(told)
+            summary = tr(STOPPED, stopped.number)
+        self.summary.setText(summary)
         self.begin.setEnabled(bool(left) and not running)
         self.halt.setEnabled(works)
         self._offer()
@@ -126,9 +126,9 @@ class QueuePanel(QWidget):
         choose_paths(self, "Choose tests", self.add_files, mode, "Tests (*.toml)")
 
 
-def _texts(one: QueuedTest) -> tuple[str, ...]:
-    name, file = PurePath(one.test).name, PurePath(one.file).name if one.file else ""
-    return str(one.number), tr(STATES[one.state]), name, file, translate(one.sentence)
+def _texts(test: QueuedTest) -> tuple[str, ...]:
+    name, file = PurePath(test.test).name, PurePath(test.file).name if test.file else ""
+    return str(test.number), tr(STATES[test.state]), name, file, translate(test.sentence)
 
 
 def queue_page(host: Host) -> QWidget:

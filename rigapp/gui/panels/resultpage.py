@@ -1,4 +1,4 @@
-"""The end of a test: why it ended, what it came to, and what can be done next."""
+"""The end of a test: why it ended, its result, and what can be done next."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from rigapp.viewer.news import News, Takes
 
 TALL = 5 * STEP
 PAPERS_WIDTH, PLOT_WIDTH = 38 * STEP, 40 * STEP
-"""Of documents and plot, at least; the documents go below where they do not fit beside it."""
+"""Of documents and plot, at least; the documents move below where they do not fit beside it."""
 RESUME: Final[Text] = "Go on with the test in its own file"
 READING: Final[Text] = "Reading what the test came to …"
 
@@ -89,29 +89,29 @@ class EndPage(QWidget):
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
         self.trip = host.add("result_trip", OverlayPanel("result", theme))
         self.trip.show_force_alone()
-        # They take the room that is left, and do not ask for more.
-        for one in (wear.plot, self.trip.plot):
-            one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-            one.setMinimumHeight(LEAST_HEIGHT)
+        # They use the remaining height, and require no more.
+        for plot in (wear.plot, self.trip.plot):
+            plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
+            plot.setMinimumHeight(LEAST_HEIGHT)
         self.plots = QStackedWidget()
-        for plot in (wear, self.trip):
-            self.plots.addWidget(plot)
+        for panel in (wear, self.trip):
+            self.plots.addWidget(panel)
         self._lay_out(self.plots)
         self.dress(theme)
 
     def _lay_out(self, plot: QWidget) -> None:
-        for one in self.buttons.values():
-            one.setFixedHeight(TALL)
-            one.setIconSize(QSize(20, 20))
-        made = self.buttons
+        for control in self.buttons.values():
+            control.setFixedHeight(TALL)
+            control.setIconSize(QSize(20, 20))
+        buttons = self.buttons
         acts = flowing(
-            made["report"],
-            made["compare"],
-            made["trip"],
+            buttons["report"],
+            buttons["compare"],
+            buttons["trip"],
             None,
             styled_label("Then", "caption"),
-            made["new"],
-            made["on"],
+            buttons["new"],
+            buttons["on"],
         )
         acts.setSpacing(STEP)
         papers = QFrame()
@@ -143,12 +143,12 @@ class EndPage(QWidget):
             self.buttons[name].setIcon(icon(meaning, colour, theme.muted))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Take what is read."""
+        """Start to collect results."""
         super().showEvent(event)
         self._pump.start()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Take nothing while nobody looks."""
+        """Stop while the page is hidden."""
         super().hideEvent(event)
         self._pump.stop()
 

@@ -1,4 +1,4 @@
-"""The recorded tests of a folder: find one, look at it, compare several, write what is sent on."""
+"""The recorded tests of a folder: find one, show it, compare several, write documents."""
 
 from __future__ import annotations
 
@@ -41,33 +41,31 @@ from rigapp.viewer.news import News, Takes
 from rigapp.viewer.tasks import TaskWorker
 
 PUMP_MS = 50
-"""Between two looks for results that were read: rows appear as they come."""
+"""Between two checks for results that were read: rows appear as they come."""
 QUIET_PUMP_MS = 250
-"""The same while nothing is being read: a window that waits costs next to nothing."""
+"""The same while nothing is being read: a waiting window costs next to nothing."""
 SETTLED_MS = 300
-"""A test that stays chosen so long is looked at closely: a second of another process."""
+"""A test that stays chosen so long is evaluated closely: a second of another process."""
 CARD_WIDTH = 42 * STEP
 BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 112 * STEP, 44 * STEP, 60 * STEP
 """Width of list and card beside each other; height of each below the other."""
 BOTH_HEIGHT = 70 * STEP
 """Of list and comparison below each other; in a lower page the list folds."""
 NO_CHOICE: Final[Text] = "Choose a test: what it came to stands here."
-
-
 TRIPPED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
 """Outcomes of which a file may have the seconds around a trip."""
 
 
 def show_trip(host: Host, path: str) -> None:
     """Go to the page of the trip of a test."""
-    shown = host.panels["trip"]
-    assert isinstance(shown, TripPage)
-    shown.show_test(Path(path))
+    page = host.panels["trip"]
+    assert isinstance(page, TripPage)
+    page.show_test(Path(path))
     host.do(Act.TRIP)
 
 
 class ShelfPump(QTimer):
-    """Take what the shelf has read, and tell when something has changed."""
+    """Collect what the shelf has read, and call ``changed`` when something has changed."""
 
     def __init__(self, shelf: ResultShelf, changed: Callable[[], None], parent: QWidget) -> None:
         super().__init__(parent)
@@ -77,7 +75,7 @@ class ShelfPump(QTimer):
         self.timeout.connect(self.pump)
 
     def pump(self) -> None:
-        """Look once, and again soon while more is to come."""
+        """Check once, and again soon while more is to come."""
         self._shelf.pump()
         self.setInterval(PUMP_MS if self._shelf.reading else QUIET_PUMP_MS)
         if self._shelf.version != self._version:
@@ -86,10 +84,10 @@ class ShelfPump(QTimer):
 
 
 class ResultsPanel(QWidget):
-    """List the tests at the left, what the chosen one came to at the right, a comparison below."""
+    """List the tests at the left, the result of the chosen one at the right, a comparison below."""
 
     wanted = Signal(str, dict)
-    said = Signal(str, bool)
+    reported = Signal(str, bool)
     trip_wanted = Signal(str)
     takes = Takes(0)
 
@@ -106,14 +104,14 @@ class ResultsPanel(QWidget):
         self.words.setPlaceholderText(tr("Title, specimen, file, operator, reason"))
         self.words.setClearButtonEnabled(True)
         QShortcut(QKeySequence.StandardKey.Find, self, self.words.setFocus)
-        endings = [(marked("All"), None), *((OUTCOMES[one], one) for one in HowEnded)]
+        endings = [(marked("All"), None), *((OUTCOMES[ending], ending) for ending in HowEnded)]
         self.ending = choice(
             "result_ending", "Show only tests that ended so", endings, self._filter
         )
         self.count = prose("result_count", "Tests in the folder", role="caption")
         self.again = button("result_again", "&Look again", self.look, tip="Read the folder again")
         self.card = ResultCard("result_card", theme, across=2)
-        self.documents = DocumentPanel("result", self.said.emit)
+        self.documents = DocumentPanel("result", self.reported.emit)
         self.buttons = {
             "open": button(
                 "result_open",
@@ -188,18 +186,18 @@ class ResultsPanel(QWidget):
         column(self._parts, on=self)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look what is there, and take it as it comes."""
+        """Read the folder, and collect the results as they come."""
         super().showEvent(event)
         self._pump.start()
         self.look()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Take nothing while nobody looks: what was read waits."""
+        """Stop while the page is hidden: what was read waits."""
         super().hideEvent(event)
         self._pump.stop()
 
     def show_news(self, news: News) -> None:
-        """Take nothing: a folder changes when somebody looks at it."""
+        """Ignore the news: the folder is read when the page is shown."""
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -212,32 +210,32 @@ class ResultsPanel(QWidget):
         self._shelf.look()
 
     def compare_with(self, test: TestResult) -> None:
-        """Compare a test with the newest ones of its title."""
+        """Compare a test with the newest ones of the same title."""
         self.look()
         path, title = test.path, test.title
         alike = [
             other
             for other in self._shelf.paths
-            if (found := self._shelf.result(other)) is not None and found.title == title
+            if (result := self._shelf.result(other)) is not None and result.title == title
         ]
         self.table.choose({path, *alike[:MOST]})
-        self._draw([path, *(one for one in alike if one != path)])
+        self._draw([path, *(other for other in alike if other != path)])
 
     def chosen(self) -> list[TestResult]:
         """Return what is known of the chosen tests."""
         known = (self._shelf.result(path) for path in self.table.chosen_paths())
-        return [one for one in known if one is not None]
+        return [result for result in known if result is not None]
 
     def _changed(self) -> None:
         self.table.refresh()
-        shown, there = len(self.table.rows.rows), len(self._shelf.paths)
-        text = tr("{} of {} tests in {}", grouped(shown), grouped(there), self._shelf.folder)
+        shown, listed = len(self.table.rows.rows), len(self._shelf.paths)
+        text = tr("{} of {} tests in {}", grouped(shown), grouped(listed), self._shelf.folder)
         unread = len(self._shelf.unread)
         if unread:
             text = tr("{} still to be read; {}", grouped(unread), text)
         self.count.setText(tr(self._shelf.problem or text))
         if self._shelf.problem:
-            self.said.emit(self._shelf.problem, False)
+            self.reported.emit(self._shelf.problem, False)
         newest = self.chosen()
         if self.card.result is None or (newest and newest[0].modified != self.card.result.modified):
             self._choose()
@@ -249,17 +247,18 @@ class ResultsPanel(QWidget):
     def _choose(self) -> None:
         chosen = self.chosen()
         first = chosen[0] if chosen else None
-        readable = bool(chosen) and all(one.outcome is not HowEnded.NOT_READABLE for one in chosen)
-        one = readable and len(chosen) == 1
+        readable = bool(chosen) and HowEnded.NOT_READABLE not in {test.outcome for test in chosen}
+        single = readable and len(chosen) == 1
         if first is None or self.card.result is None or first.path != self.card.result.path:
             self.card.show_result(first, NO_CHOICE)
-        self.documents.show_test(Path(first.path) if first is not None and one else None)
-        self.buttons["open"].setEnabled(one)
+        self.documents.show_test(Path(first.path) if first is not None and single else None)
+        self.buttons["open"].setEnabled(single)
         self.buttons["compare"].setEnabled(readable)
-        self.buttons["resume"].setEnabled(first is not None and one and first.status in RESUMABLE)
-        tripped = first is not None and one and first.outcome in TRIPPED
-        self.buttons["trip"].setEnabled(tripped)
-        if one:
+        resumable = first is not None and first.status in RESUMABLE
+        self.buttons["resume"].setEnabled(single and resumable)
+        tripped = first is not None and first.outcome in TRIPPED
+        self.buttons["trip"].setEnabled(single and tripped)
+        if single:
             self._settled.start()
 
     def _look_closely(self) -> None:
@@ -280,7 +279,7 @@ class ResultsPanel(QWidget):
             self._launch(["replay", path])
 
     def _compare(self) -> None:
-        self._draw([one.path for one in self.chosen()])
+        self._draw([result.path for result in self.chosen()])
 
     def _draw(self, paths: list[str]) -> None:
         self._compared.show()
@@ -292,7 +291,7 @@ class ResultsPanel(QWidget):
         self._fold()
 
     def _fold(self) -> None:
-        """Leave a low page to the comparison, whose curves have the names of their tests."""
+        """Hide the list on a low page: the compared curves have the names of their tests."""
         low = self._parts.folded or self.height() < BOTH_HEIGHT
         self.table.setHidden(low and not self._compared.isHidden())
 
@@ -312,6 +311,6 @@ def results_page(host: Host) -> QWidget:
     """Make the page of the recorded tests."""
     panel = host.add("results", ResultsPanel(host.theme, host.results, host.worker))
     panel.wanted.connect(host.ask)
-    panel.said.connect(host.say)
+    panel.reported.connect(host.say)
     panel.trip_wanted.connect(partial(show_trip, host))
     return panel

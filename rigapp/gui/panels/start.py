@@ -1,6 +1,6 @@
-"""The pages to begin with: four ways on, the last tests; and the files of a new rig.
+"""The start page: four ways on, the last tests; and the page that makes the files of a new rig.
 
-A new rig: which boxes there are, on which ports, into a folder, by the same functions as those of
+A new rig: its devices and their ports are searched and its files written by the functions of
 ``rigapp init --real``.
 """
 
@@ -56,7 +56,7 @@ from rigapp.texts import capitalised
 from rigapp.viewer.news import News, Takes
 
 LAST = 20
-"""Tests that are listed; all of them stand under Results."""
+"""Tests that are listed; Results has all of them."""
 TRY_KEY: Final = "F11"
 WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
     Act.TRY: (
@@ -82,7 +82,7 @@ WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
     ),
     Act.RESULTS: (Icon.RESULTS, "Open results", "Look, compare, report.", "Open", "Ctrl+8"),
 }
-"""The ways on in their order: icon, title, what it is, what the button says, and its key.
+"""The ways on in their order: icon, title, what it is, the text of the button, and its key.
 
 The keys are those of the whole window: a digit alone would be typed into the field with the focus.
 """
@@ -138,7 +138,7 @@ class WayCard(QFrame):
 
 
 class StartPage(QWidget):
-    """Offer what can be begun with; what is connected meanwhile stands at the right."""
+    """The four ways on, the rig, and the last tests."""
 
     takes = Takes.STATUS
 
@@ -173,13 +173,13 @@ class StartPage(QWidget):
         self.dress(host.theme)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look for the last tests."""
+        """Read the last tests."""
         super().showEvent(event)
         self._pump.start()
         self._host.results.look()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Take nothing while nobody looks."""
+        """Stop while the page is hidden."""
         super().hideEvent(event)
         self._pump.stop()
 
@@ -190,7 +190,7 @@ class StartPage(QWidget):
             card.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Say what rig it is."""
+        """Show which rig it is."""
         status = news.status
         free = status is None or status.engine.calibration is None
         self.ways[Act.TRY].button.setEnabled(free)
@@ -218,21 +218,17 @@ def start_page(host: Host) -> QWidget:
     return host.add("start", StartPage(host))
 
 
-# Make the files of a rig with real devices: which boxes there are, on which ports, into a folder.
-#
-# The same functions as those of ``rigapp init --real`` search the ports and write the files.
-
 NEW_FOLDER: Final = "my-rig"
 CARD_WIDTH = 42 * STEP
 LEAST_CHARACTERS = 18
-"""Of a device and a port that can be seen at least; their names are longer."""
+"""Visible of a device and a port at least; their names are longer."""
 FILES_HEIGHT = 34 * STEP
-"""All of them: nothing scrolls within the page that scrolls."""
+"""All rows: nothing scrolls within the page that scrolls."""
 OPEN_PORT: Final[Text] = "May stay empty until the port is known; the check of the rig names it."
 
 
 class BoxCard(QFrame):
-    """One device of the new rig: which it is, on which port, and who answers there."""
+    """One device of the new rig: which it is, its port, and which device answers there."""
 
     def __init__(self, role: str) -> None:
         super().__init__()
@@ -270,14 +266,14 @@ class BoxCard(QFrame):
         driver = self.drivers[self.device.currentData()]
         return Box(self._role, driver, self.port.currentText().strip())
 
-    def show_ports(self, found: Sequence[FoundPort]) -> None:
-        """Offer ports; take the first one on which a device of this kind answers."""
+    def show_ports(self, ports: Sequence[FoundPort]) -> None:
+        """List ports; choose the first on which a device of this kind answers."""
         typed = self.port.currentText()
-        self._ports = {one.name: one for one in found}
+        self._ports = {port.name: port for port in ports}
         self.port.clear()
         self.port.addItems(list(self._ports))
-        answering = [one for one in found if one.driver in self.drivers]
-        chosen = typed or next((one.name for one in answering), "")
+        answering = [port for port in ports if port.driver in self.drivers]
+        chosen = typed or next((port.name for port in answering), "")
         self.port.setEditText(chosen)
         if chosen in self._ports and self._ports[chosen].driver in self.drivers:
             self.device.setCurrentIndex(self.device.findData(self._ports[chosen].driver))
@@ -285,15 +281,15 @@ class BoxCard(QFrame):
 
     def _show_who(self, *_: object) -> None:
         port, driver = self.port.currentText().strip(), self.device.currentData()
-        found = self._ports.get(port)
-        another = found is not None and found.driver not in ("", driver)
-        text = tr(OPEN_PORT) if not port else translate(found.words) if found is not None else ""
+        known = self._ports.get(port)
+        another = known is not None and known.driver not in ("", driver)
+        text = tr(OPEN_PORT) if not port else translate(known.words) if known is not None else ""
         tell(self.who, "role", "error" if another else "caption")
         self.who.setText(f"✗ {tr('Another device answers there: {}', text)}" if another else text)
 
 
 class NewRigPage(QWidget):
-    """Ask for the boxes and the folder, write the files, and offer to open the rig."""
+    """Choose the devices and the folder, write the files, and open the rig."""
 
     takes = Takes.STATUS
 
@@ -324,7 +320,7 @@ class NewRigPage(QWidget):
         self.folder = edit("new_rig_folder", "Folder of the new rig", self._enable)
         choose = button("new_rig_choose", "C&hoose…", self._choose, "Choose the folder")
         self.make = button("new_rig_make", "&Make the files", self._make, rank="primary")
-        self.told = prose("new_rig_told", "What came of it")
+        self.outcome = prose("new_rig_told", "What came of it")
         self.files = PlainTable(
             "new_rig_files", "Files of the new rig", ("File", "What it is"), stretch=(1,)
         )
@@ -337,7 +333,7 @@ class NewRigPage(QWidget):
             grid,
             row(self.search, (self.searched, 1)),
             row("Folder", (self.folder, 1), choose, self.make),
-            row((self.told, 1), self.open),
+            row((self.outcome, 1), self.open),
             (self.files, 1),
             None,
             on=self,
@@ -356,18 +352,18 @@ class NewRigPage(QWidget):
         self.make.setEnabled(bool(self.folder.text().strip()))
 
     def _search(self) -> None:
-        self._searching = self._host.worker.submit(search_ports, self._found, self._failed)
+        self._searching = self._host.worker.submit(search_ports, self._list_ports, self._failed)
         self.searched.setText(tr("Searching …"))
         self._enable()
 
-    def _found(self, found: list[FoundPort]) -> None:
+    def _list_ports(self, ports: list[FoundPort]) -> None:
         self._searching = False
-        answering = sum(bool(one.driver) for one in found)
+        answering = sum(bool(port.driver) for port in ports)
         self.searched.setText(
-            tr("Ports found: {}; known devices answer on {}.", len(found), answering)
+            tr("Ports found: {}; known devices answer on {}.", len(ports), answering)
         )
         for card in self.cards.values():
-            card.show_ports(found)
+            card.show_ports(ports)
         self._enable()
 
     def _failed(self, error: Exception) -> None:
@@ -392,18 +388,18 @@ class NewRigPage(QWidget):
 
     def _made(self, folder: Path, files: list[StartingFile]) -> None:
         self._rig = folder / "rig.toml"
-        tell(self.told, "role", "")
-        self.told.setText(tr("The files are in {}. Open the rig, then check it.", folder))
+        tell(self.outcome, "role", "")
+        self.outcome.setText(tr("The files are in {}. Open the rig, then check it.", folder))
         self.files.show_rows(
-            [(str(one.path), translate(ABOUT_REAL[str(one.path)])) for one in files]
+            [(str(file.path), translate(ABOUT_REAL[str(file.path)])) for file in files]
         )
         self.files.show()
         self.open.show()
         self._enable()
 
     def _not_made(self, error: Exception) -> None:
-        tell(self.told, "role", "error")
-        self.told.setText(f"✗ {translate(error_text(error, 'The files could not be written.'))}")
+        tell(self.outcome, "role", "error")
+        self.outcome.setText(f"✗ {translate(error_text(error, 'The files could not be written.'))}")
         self.files.hide()
         self.open.hide()
         self._enable()

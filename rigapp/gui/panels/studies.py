@@ -1,4 +1,4 @@
-"""The studies of the results folder: what was varied, what came of it, and what it depends on."""
+"""The studies of the results folder: parameters, results, and what these depend on."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ NO_STUDIES: Final[Text] = (
     "No study is in {}. Compute one from a study file, or open the folder of another."
 )
 LOOK_MS = 2000
-"""Between two looks at how far a study is."""
+"""Between two checks of how far a study is."""
 ALL_DONE: Final[Text] = "{} points, each with a result."
 SOME_FAILED: Final[Text] = "{} of {} points have a result. Why the others have none stands below."
 SOME_WAIT: Final[Text] = "{} of {} points have a result; still to come: {}; without a result: {}."
@@ -53,7 +53,7 @@ SEEN_TITLE: Final[Text] = (
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
 FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result, or what to know about it")
 SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests")
-BESIDE_FROM, TOLD_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
+BESIDE_FROM, SUMMARY_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
 TABLE_HEIGHT, STUDY_HEIGHT = 16 * STEP, 90 * STEP
 """Width of list and study beside each other; heights below each other."""
 DEPENDS_MOST: Final[Text] = "Depends most on {}. Shares of the variance, with 95 % limits:"
@@ -65,9 +65,9 @@ MOST_FAILED = 200
 
 
 class StudyRun(QWidget):
-    """Compute a study in a process of its own, which a window that closes interrupts.
+    """Compute a study in its own process, which is interrupted when the window closes.
 
-    What is done is safe: the same file goes on with it. One core is left to the rig and the window.
+    Finished points are saved: the same file resumes. One core is left to the rig and the window.
     """
 
     ended = Signal(Path)
@@ -89,9 +89,9 @@ class StudyRun(QWidget):
             self.close_run,
             tip="What is computed stays; the same file goes on with it",
         )
-        self.told = ElidedLabel("study_run_told", "How far the study is")
-        self.told.setProperty("role", "caption")
-        row(self.compute, self.interrupt, (self.told, 1), on=self, margins=0, spacing=GAP)
+        self.progress = ElidedLabel("study_run_told", "How far the study is")
+        self.progress.setProperty("role", "caption")
+        row(self.compute, self.interrupt, (self.progress, 1), on=self, margins=0, spacing=GAP)
         self._process = QProcess(self)
         self._process.finished.connect(self._finished)
         self._look = QTimer(self, interval=LOOK_MS)
@@ -104,7 +104,7 @@ class StudyRun(QWidget):
         return self._process.state() is not QProcess.ProcessState.NotRunning
 
     def begin(self, file: str) -> None:
-        """Compute the study of a file into a folder of its name; one that is there goes on."""
+        """Compute the study of a file into a folder of its name; resume an existing one."""
         if self.running:
             return
         self.target = self._folder / Path(file).stem
@@ -117,7 +117,7 @@ class StudyRun(QWidget):
         self._show()
 
     def close_run(self) -> None:
-        """Interrupt the study; what is done is safe."""
+        """Interrupt the study; finished points are saved."""
         if self.running:
             self._process.terminate()
             if not self._process.waitForFinished(LOOK_MS):
@@ -138,26 +138,27 @@ class StudyRun(QWidget):
         self.interrupt.setEnabled(self.running)
         if self.running:
             done = grouped(points_done(self.target))
-            self.told.show_text(tr("{}: {} points are computed.", self.target.name, done))
+            self.progress.show_text(tr("{}: {} points are computed.", self.target.name, done))
 
     def _finished(self, status: int, how: QProcess.ExitStatus) -> None:
         self._look.stop()
         self._show()
-        wrong = bytes(self._process.readAllStandardError().data()).decode(errors="replace").strip()
-        said = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace").strip()
-        lines = (said or wrong).splitlines()
+        process = self._process
+        errors = bytes(process.readAllStandardError().data()).decode(errors="replace").strip()
+        output = bytes(process.readAllStandardOutput().data()).decode(errors="replace").strip()
+        lines = (output or errors).splitlines()
         text = lines[0].removeprefix("rigapp: ") if lines else ""
         if how is QProcess.ExitStatus.CrashExit:
             done = grouped(points_done(self.target))
             text = tr("{}: interrupted after {} points.", self.target.name, done)
-        self.told.show_text(text)
+        self.progress.show_text(text)
         self.ended.emit(self.target)
 
 
 class StudiesPanel(QWidget):
     """List the studies at the left; the chosen one at the right: points, dependence, power."""
 
-    said = Signal(str, bool)
+    reported = Signal(str, bool)
     takes = Takes(0)
 
     def __init__(self, theme: Theme, folder: Path, worker: TaskWorker) -> None:
@@ -168,8 +169,8 @@ class StudiesPanel(QWidget):
         self._shown: StudyResults | None = None
         self._wanted: Path | None = None
         named(self, "studies", "Studies")
-        self.told = ElidedLabel("studies_told", "Studies in the folder")
-        self.told.setProperty("role", "caption")
+        self.summary = ElidedLabel("studies_told", "Studies in the folder")
+        self.summary.setProperty("role", "caption")
         self.another = button("studies_open", "Open another stud&y…", self._choose_folder)
         self.again = button("studies_again", "&Look again", self.look, tip="Read the folders again")
         self.run = StudyRun(folder)
@@ -194,9 +195,9 @@ class StudiesPanel(QWidget):
         self._power = page(power_title, (self.power, 1))
         self._depends = page(self.depends_title, (self.depends, 1))
         below = WrappingGrid(TABLE_WIDTH)
-        for one in (self._depends, self._power, self.failed):
-            one.setMinimumHeight(TABLE_HEIGHT)
-            below.addWidget(one)
+        for part in (self._depends, self._power, self.failed):
+            part.setMinimumHeight(TABLE_HEIGHT)
+            below.addWidget(part)
         self._under = QWidget()
         self._under.setLayout(below)
         parts = split("study_parts", Qt.Orientation.Vertical, [420, 200], self.plot, self._under)
@@ -204,18 +205,18 @@ class StudiesPanel(QWidget):
         both = FoldingSplitter("studies_split", BESIDE_FROM).divide(
             (self.list, 360, TABLE_HEIGHT), (right, 960, STUDY_HEIGHT)
         )
-        self.told.setMinimumWidth(TOLD_WIDTH)
-        head = flowing((self.told, 1), self.another, self.again)
+        self.summary.setMinimumWidth(SUMMARY_WIDTH)
+        head = flowing((self.summary, 1), self.another, self.again)
         column(head, self.run, (both, 1), on=self, spacing=GAP)
         self._show(None)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look what is there."""
+        """Read the studies."""
         super().showEvent(event)
         self.look()
 
     def show_news(self, news: News) -> None:
-        """Take nothing: a study has nothing to do with the test that runs."""
+        """Ignore the news: a study has nothing to do with the running test."""
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -224,7 +225,7 @@ class StudiesPanel(QWidget):
     def look(self) -> None:
         """Read the studies again, on the worker."""
         folders = (self._folder, *self._opened)
-        self._worker.submit(lambda: _found(folders), self._list, self._not_read)
+        self._worker.submit(lambda: _existing(folders), self._list, self._not_read)
 
     def open_folder(self, folder: str) -> None:
         """List the studies of one more folder, and choose the newest of them."""
@@ -242,27 +243,26 @@ class StudiesPanel(QWidget):
             QFileDialog.FileMode.Directory,
         )
 
-    def _list(self, found: tuple[StudyResults, ...]) -> None:
-        """Show what was found; the one that is shown or wanted stays chosen, else the newest."""
+    def _list(self, studies: tuple[StudyResults, ...]) -> None:
+        """List studies; the one that is shown or wanted stays chosen, else the newest."""
         wanted = self._wanted
-        at = next(
-            (at for at, one in enumerate(found) if wanted in (one.folder, one.folder.parent)), None
-        )
-        if at is None and wanted in self._opened:
-            self.said.emit(tr("There is no study in {}.", wanted), False)
-        self._studies = found
+        near = [wanted in (study.folder, study.folder.parent) for study in studies]
+        index = near.index(True) if True in near else None
+        if index is None and wanted in self._opened:
+            self.reported.emit(tr("There is no study in {}.", wanted), False)
+        self._studies = studies
         self.list.blockSignals(True)
-        self.list.show_rows([_row(one) for one in found])
+        self.list.show_rows([_row(study) for study in studies])
         self.list.clearSelection()
-        if found:
-            self.list.selectRow(at or 0)
+        if studies:
+            self.list.selectRow(index or 0)
         self.list.blockSignals(False)
-        told = tr("Studies in {}: {}", self._folder, grouped(len(found)))
-        self.told.show_text(told if found else tr(NO_STUDIES, self._folder))
+        count = tr("Studies in {}: {}", self._folder, grouped(len(studies)))
+        self.summary.show_text(count if studies else tr(NO_STUDIES, self._folder))
         self._choose()
 
     def _not_read(self, error: Exception) -> None:
-        self.told.show_text(tr("{} cannot be read: {}", self._folder, error))
+        self.summary.show_text(tr("{} cannot be read: {}", self._folder, error))
 
     def _choose(self) -> None:
         self._show(self.list.chosen_of(self._studies))
@@ -279,38 +279,38 @@ class StudiesPanel(QWidget):
         self._show_dependence()
 
     def _show_power(self, power: Sequence[PowerRow]) -> None:
-        """Show a row a factor, and a column a share of the tests."""
-        shares = sorted({one.share for one in power})
+        """Show a row for each factor, a column for each share of the tests."""
+        shares = sorted({entry.share for entry in power})
         self.power.setColumnCount(len(SEEN) + len(shares))
         percents = [f"{100.0 * share:.0f} %" for share in shares]
-        self.power.setHorizontalHeaderLabels([*(tr(one) for one in SEEN), *percents])
+        self.power.setHorizontalHeaderLabels([*(tr(heading) for heading in SEEN), *percents])
         self.power.show_rows(
             [
-                (f"{factor:g}", grouped(rows[0].tests), *(_revolutions(one) for one in rows))
+                (f"{factor:g}", grouped(rows[0].tests), *(_revolutions(entry) for entry in rows))
                 for factor, rows in _by_factor(power)
             ]
         )
         self._power.setVisible(bool(power))
 
     def _show_dependence(self) -> None:
-        """Show what the drawn result depends on, where the design tells."""
+        """Show what the drawn result depends on, where the design allows it."""
         study, result = self._shown, self.plot.column
-        found = _dependence(study, result.name) if study and result else []
-        self.depends.show_rows([texts for _, texts in found])
-        self._depends.setVisible(bool(found))
+        dependence = _dependence(study, result.name) if study and result else []
+        self.depends.show_rows([texts for _, texts in dependence])
+        self._depends.setVisible(bool(dependence))
         parts = (self._depends, self._power, self.failed)
-        self._under.setVisible(any(one.isVisibleTo(self._under) for one in parts))
-        if found:
-            most = max(found, key=lambda one: one[0])[1][0]
+        self._under.setVisible(any(part.isVisibleTo(self._under) for part in parts))
+        if dependence:
+            most = max(dependence, key=lambda entry: entry[0])[1][0]
             clear = study is None or result is None or _resolved(study, result.name)
             title = tr(DEPENDS_MOST, most) if clear else tr(TOO_FEW)
             self.depends_title.setText(title)
 
 
-def _found(folders: Sequence[Path]) -> tuple[StudyResults, ...]:
-    """Return the studies of folders, those that are there."""
-    there = (one for folder in folders if folder.is_dir() for one in studies_in(folder))
-    return tuple({one.folder: one for one in there}.values())
+def _existing(folders: Sequence[Path]) -> tuple[StudyResults, ...]:
+    """Return the studies of the existing folders, each once."""
+    studies = (study for folder in folders if folder.is_dir() for study in studies_in(folder))
+    return tuple({study.folder: study for study in studies}.values())
 
 
 def _row(study: StudyResults) -> tuple[str, ...]:
@@ -320,7 +320,7 @@ def _row(study: StudyResults) -> tuple[str, ...]:
 
 
 def _resolved(study: StudyResults, result: str) -> bool:
-    """Tell whether the sensitivities of a result say what it depends on."""
+    """Tell whether there are enough points for the sensitivities of a result."""
     known, keys = (study.sensitivities or {}).get(result), len(study.parameters)
     return known is None or not known.points_needed(max(len(study.problems) // (keys + 2), 1))
 
@@ -332,27 +332,27 @@ def _sentence(study: StudyResults) -> str:
     points, waiting, failed = len(study.problems), study.waiting, len(study.failed)
     done = grouped(points - waiting - failed)
     if waiting:
-        said = tr(SOME_WAIT, done, grouped(points), grouped(waiting), grouped(failed))
+        sentence = tr(SOME_WAIT, done, grouped(points), grouped(waiting), grouped(failed))
     elif failed:
-        said = tr(SOME_FAILED, done, grouped(points))
+        sentence = tr(SOME_FAILED, done, grouped(points))
     else:
-        said = tr(ALL_DONE, done)
-    return said
+        sentence = tr(ALL_DONE, done)
+    return sentence
 
 
 def _by_factor(power: Sequence[PowerRow]) -> list[tuple[float, list[PowerRow]]]:
     """Return the rows of each factor, in the order of their shares."""
-    ordered = sorted(power, key=lambda one: (one.factor, one.share))
-    return [(factor, list(rows)) for factor, rows in groupby(ordered, lambda one: one.factor)]
+    ordered = sorted(power, key=lambda entry: (entry.factor, entry.share))
+    return [(factor, list(rows)) for factor, rows in groupby(ordered, lambda entry: entry.factor)]
 
 
-def _revolutions(one: PowerRow) -> str:
-    known = math.isfinite(one.revolutions)
-    return grouped(round(one.revolutions)) if known else tr("not in time")
+def _revolutions(entry: PowerRow) -> str:
+    known = math.isfinite(entry.revolutions)
+    return grouped(round(entry.revolutions)) if known else tr("not in time")
 
 
 def _dependence(study: StudyResults, result: str) -> list[tuple[float, tuple[str, ...]]]:
-    """Return of each parameter its total share of a result's variance, and how a row says it."""
+    """Return each parameter's total share of a result's variance, and the texts of its row."""
     known = (study.sensitivities or {}).get(result)
     if known is None:
         return []
@@ -365,12 +365,12 @@ def _dependence(study: StudyResults, result: str) -> list[tuple[float, tuple[str
 
 
 def _share(middle: float, low: float, high: float) -> str:
-    shares = (axis_number(100.0 * one, 1.0) for one in (middle, low, high))
+    shares = (axis_number(100.0 * share, 1.0) for share in (middle, low, high))
     return tr("{} % ({} to {})", *shares)
 
 
 def studies_page(host: Host) -> QWidget:
     """Make the page of the studies."""
     panel = host.add("studies", StudiesPanel(host.theme, host.results_folder, host.worker))
-    panel.said.connect(host.say)
+    panel.reported.connect(host.say)
     return panel

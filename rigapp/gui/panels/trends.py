@@ -37,11 +37,6 @@ from rigapp.viewer.ranges import SteadyRange
 from rigapp.viewer.series import ANGLES_DEG as RECORDED_DEG
 from rigapp.viewer.series import ShownProfile
 
-# The worn profile of the bushing, measured by the probes and by the model.
-#
-# Files without recorded profiles show the circle of the pin sunk in by the depth at the contact
-# point, and say so.
-
 Floats = NDArray[np.float64]
 
 COEFFICIENT_LATER: Final[Text] = "The wear coefficient is drawn here once it is known."
@@ -57,7 +52,7 @@ MODEL_DEPTH: Final[tuple[Text, Text]] = ("model {}", "model: not known")
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """What is said of a curve; not known: it has no depth to stand at."""
+    """The text at a curve; not known: there is no depth at which to write it."""
 
     text: str
     known: bool = True
@@ -78,7 +73,7 @@ def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float
 
 
 class WearProfilePanel(PlotPanel):
-    """Draw the worn profile in the follower frame."""
+    """Draw the worn profile in the follower frame; without a recorded one the pin's circle."""
 
     takes = Takes.HISTORY
 
@@ -88,7 +83,7 @@ class WearProfilePanel(PlotPanel):
         self.plot = QuietPlot(f"{prefix}_profile_plot", "Worn profile of the bushing", theme)
         self.plot.label("bottom", "Angle from the contact point, follower frame")
         self.plot.show_range("x", -180.0, 180.0)
-        ticks = [(float(at), f"{at}°".replace("-", "−")) for at in range(-180, 181, 90)]
+        ticks = [(float(angle), f"{angle}°".replace("-", "−")) for angle in range(-180, 181, 90)]
         self.plot.getAxis("bottom").setTicks([ticks])
         self._band = self.plot.shade(MEASURED)
         self._measured = self.plot.curve(MEASURED)
@@ -149,9 +144,9 @@ class WearProfilePanel(PlotPanel):
         self._draw_band(profile)
         self.plot.fit(0.0, UM_PER_MM * profile.deepest)
         if seen.any():
-            place = int(np.nanargmax(profile.measured))
-            most = UM_PER_MM * profile.measured[place]
-            depth = with_uncertainty(most, UM_PER_MM * profile.uncertainty[place], "µm")
+            index = int(np.nanargmax(profile.measured))
+            most = UM_PER_MM * profile.measured[index]
+            depth = with_uncertainty(most, UM_PER_MM * profile.uncertainty[index], "µm")
             extent = RECORDED_DEG[seen]
             words = tr(
                 "seen {:.0f}° to {:.0f}°, cycle {}", extent[0], extent[-1], profile.revolution
@@ -174,7 +169,7 @@ class WearProfilePanel(PlotPanel):
         self._band.setData(angle, np.maximum(depth - doubt, 0.0), depth + doubt)
 
     def _show_entries(self, measured: Entry, model: Entry, words: str) -> None:
-        """Name both curves, where they are deepest, and say what was seen."""
+        """Name both curves where they are deepest, and show what was measured."""
         names = [
             CurveName(entry.text, pen, np.nanmax(curve.y, initial=0.0))
             for entry, pen, curve in (
@@ -198,7 +193,7 @@ BESIDE_FROM, PLOTS_TALL = 90 * STEP, 35 * STEP
 
 
 class WearPanel(QWidget):
-    """Say what is known of the wear, and draw it."""
+    """Show what is known of the wear in words and plots."""
 
     takes = Takes.HISTORY
 
@@ -220,7 +215,7 @@ class WearPanel(QWidget):
         self.narrowing.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Draw what is known, and have it computed where there is something new."""
+        """Draw what is known, and have it computed again where there are new rows."""
         self._reader.look(news)
         known = self._reader.known
         waiting = tr(
@@ -243,10 +238,10 @@ def wear_page(host: Host) -> QWidget:
 
 OVERVIEW_BESIDE_FROM = 102 * STEP
 OVERLAY, TRENDS = 45 * STEP, 50 * STEP
-"""Heights of the plots of the overview where they stand below each other."""
+"""Heights of the plots of the overview where they are below each other."""
 TRENDS_BESIDE_FROM = 90 * STEP
 TALL = 28 * STEP
-"""Height of the last two plots where they stand below each other."""
+"""Height of the last two plots where they are below each other."""
 
 
 def overview_page(host: Host) -> QWidget:
@@ -269,10 +264,10 @@ def trend_page(host: Host) -> QWidget:
     view = TrendView()
     upper, residual, lower = (
         host.add(
-            f"{place}_trend",
-            TrendPanel(place, host.theme, quantity, view=view, leads=place == "upper"),
+            f"{name}_trend",
+            TrendPanel(name, host.theme, quantity, view=view, leads=name == "upper"),
         )
-        for place, quantity in (("upper", SIZE), ("residual", "residual"), ("lower", "wear"))
+        for name, quantity in (("upper", SIZE), ("residual", "residual"), ("lower", "wear"))
     )
     profile = host.add("profile", WearProfilePanel("trends", host.theme))
     below = FoldingSplitter("trend_lower", TRENDS_BESIDE_FROM).divide(

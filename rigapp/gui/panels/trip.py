@@ -52,7 +52,7 @@ NOT_KEPT: Final[Text] = "This test did not trip, or its file has no samples of t
 class TripRow:
     """One plot: title, unit, the least range of its values, and its curves by channel.
 
-    centred: each less its mean, for what moves matters, not where.
+    centred: each less its mean, since only the movement matters.
     """
 
     name: str
@@ -85,7 +85,7 @@ ROWS: Final = (
     ),
     TripRow("speed", "Speed", "rpm", 5.0, (("speed", "crank", "main"),)),
 )
-"""The plots that every trip has; a drive that tells its current has one more."""
+"""The plots that every trip has; a drive that reports its current has one more."""
 
 
 class TripPlot(PlotPanel):
@@ -103,9 +103,9 @@ class TripPlot(PlotPanel):
         column(row(plot_heading(spec.title), (self.unit, 1)), (self.plot, 1), on=self)
 
     def show_capture(self, capture: TripCapture) -> bool:
-        """Draw what the capture has; return whether there is anything."""
-        for one in self._traces:
-            self.plot.take_out(one)
+        """Draw the capture; return whether it has any data."""
+        for trace in self._traces:
+            self.plot.take_out(trace)
         self._traces = []
         self.plot.start_afresh()
         self.plot.steady = SteadyRange(self.spec.span)
@@ -114,16 +114,16 @@ class TripPlot(PlotPanel):
             if name in capture.currents:
                 self._draw(*capture.currents[name], text, LinePen(role), names)
             elif capture.series((name,)):
-                parts = [one for one in capture.pieces if not one.before]
+                parts = [piece for piece in capture.pieces if not piece.before]
                 self._draw(*_joined(parts, name), text, LinePen(role), names)
-                earlier = [one for one in capture.pieces if one.before]
+                earlier = [piece for piece in capture.pieces if piece.before]
                 if name in GREY:
                     self._draw(*_joined(earlier, name), "", BEFORE, names)
-        known = [one.y[np.isfinite(one.y)] for one in self._traces]
-        values = np.concatenate([one for one in known if len(one)] or [np.empty(0)])
+        known = [trace.y[np.isfinite(trace.y)] for trace in self._traces]
+        values = np.concatenate([values for values in known if len(values)] or [np.empty(0)])
         if not len(values):
             return False
-        times = [one for piece in capture.pieces for one in (piece.time_s[0], piece.time_s[-1])]
+        times = [end for piece in capture.pieces for end in (piece.time_s[0], piece.time_s[-1])]
         low, high = float(values.min()), float(values.max())
         trigger = capture.trip.trigger_N
         spots: tuple[Spot, ...] = ()
@@ -151,9 +151,9 @@ def _joined(pieces: Sequence[TripPiece], name: str) -> tuple[Floats, Floats]:
     """Return the samples of a channel in all pieces, parted by NaN."""
     x: list[Floats] = [np.empty(0)]
     y: list[Floats] = [np.empty(0)]
-    for one in pieces:
-        x += [one.time_s, one.time_s[-1:]]
-        y += [one.values[name].astype(np.float64), np.array([np.nan])]
+    for piece in pieces:
+        x += [piece.time_s, piece.time_s[-1:]]
+        y += [piece.values[name].astype(np.float64), np.array([np.nan])]
     return np.concatenate(x), np.concatenate(y)
 
 
@@ -173,12 +173,12 @@ class TripPage(QWidget):
         self.sentence = prose("trip_sentence", "What tripped", NO_TRIP)
         self.table = PlainTable("trip_facts", "Facts of the trip", ("What", "Value"), stretch=(1,))
         room = NameRoom()
-        self.plots = [TripPlot(one, theme, room) for one in ROWS]
+        self.plots = [TripPlot(spec, theme, room) for spec in ROWS]
         current = TripRow("current", "Drive current", "A", 0.5, ())
         self.current = TripPlot(current, theme, room)
         facts = page(self.title, self.sentence, (self.table, 1))
         self._drawn = QWidget()
-        column(*((one, 1) for one in (*self.plots, self.current)), on=self._drawn, spacing=GAP)
+        column(*((plot, 1) for plot in (*self.plots, self.current)), on=self._drawn, spacing=GAP)
         both = FoldingSplitter("trip_split", BESIDE_FROM).divide(
             (facts, FACTS_WIDTH, FACTS_HEIGHT), (self._drawn, 900, PLOTS_HEIGHT)
         )
@@ -188,8 +188,8 @@ class TripPage(QWidget):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for one in (*self.plots, self.current):
-            one.dress(theme)
+        for plot in (*self.plots, self.current):
+            plot.dress(theme)
 
     def show_news(self, news: News) -> None:
         """Show the trip of the test that is shown, unless another one was chosen."""
@@ -228,27 +228,27 @@ class TripPage(QWidget):
         self._drawn.show()
         self.table.show()
         self.current.spec = TripRow("current", "Drive current", "A", 0.5, _current_curves(capture))
-        for one in (*self.plots, self.current):
-            one.setVisible(one.show_capture(capture))
+        for plot in (*self.plots, self.current):
+            plot.setVisible(plot.show_capture(capture))
 
 
 def _current_curves(capture: TripCapture) -> tuple[tuple[str, Text, str], ...]:
-    """Return the channels in A, sampled or told once a revolution."""
+    """Return the channels in A, sampled or reported once a revolution."""
     roles = ("main", "first", "second")
-    channels = [one for one in capture.table.free if one.unit == "A"]
+    channels = [channel for channel in capture.table.free if channel.unit == "A"]
     return tuple(
-        (one.name, title_of(one), role) for one, role in zip(channels, roles, strict=False)
+        (item.name, title_of(item), role) for item, role in zip(channels, roles, strict=False)
     )
 
 
 def _facts(path: Path, capture: TripCapture) -> list[tuple[str, str]]:
     trip, moment = capture.trip, UNKNOWN
     if math.isfinite(capture.happened):
-        at = time.localtime(capture.happened)
-        moment = f"{dated(MOMENT, at)}:{capture.happened % 60.0:06.3f}"
+        logged = time.localtime(capture.happened)
+        moment = f"{dated(MOMENT, logged)}:{capture.happened % 60.0:06.3f}"
     peak = UNKNOWN
     if capture.series(("force",)):
-        force = _joined([one for one in capture.pieces if not one.before], "force")[1]
+        force = _joined([piece for piece in capture.pieces if not piece.before], "force")[1]
         largest = float(np.nanmax(force, initial=-np.inf))
         peak = f"{largest:.1f} N" if math.isfinite(largest) else UNKNOWN
     if trip.peak is not None:

@@ -1,4 +1,4 @@
-"""Axes that keep still: room of a fixed width, at most five ticks at round places, no own paint."""
+"""Axes that keep still: of a fixed width, with at most five ticks at round places."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp.presentation.tokens import STEP
 from rigapp.viewer.ranges import round_places
 
 MOST_TICKS = 5
-"""More are read no better."""
+"""More ticks do not improve reading."""
 ROWS_APART = 2.0
 """Heights of a tick's text between two ticks of a vertical axis."""
 TEXT_APART = "−00,000,000"
@@ -23,7 +23,7 @@ WIDEST = "−0.0000"
 
 
 class QuietAxis(pg.AxisItem):  # type: ignore[misc]
-    """One axis: its room beside the plot, and what is to be painted there."""
+    """One axis: its width beside the plot, its ticks and its caption, which the plot paints."""
 
     def __init__(self, side: str) -> None:
         super().__init__(side)
@@ -33,7 +33,7 @@ class QuietAxis(pg.AxisItem):  # type: ignore[misc]
         self.caption("")
 
     def caption(self, text: str) -> None:
-        """Take what is drawn along it, with its unit."""
+        """Set the quantity along it, with its unit."""
         self.text = text
         row = small_font()[1].height()
         if self.flat:
@@ -43,7 +43,7 @@ class QuietAxis(pg.AxisItem):  # type: ignore[misc]
             self.setWidth(widest + STEP + (row + STEP if text else 0))
 
     def ticks(self) -> list[Tick]:
-        """Return where the ticks are, and what stands at them."""
+        """Return the places of the ticks, and their texts."""
         if self._tickLevels is not None:
             return list(self._tickLevels[0])
         metrics = small_font()[1]

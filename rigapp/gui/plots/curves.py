@@ -1,7 +1,7 @@
 """Curves and bands of a plot, all painted by one item of its scene.
 
-An item for each would cost three times as much as what it paints: the scene asks every item where
-it is, several times a frame.
+An item for each would cost three times as much as its painting: the scene requests the place of
+every item several times a frame.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ Floats = NDArray[np.float64]
 Changed = Callable[[], None]
 
 SHADE = 48
-"""Opacity of a band, of 255: two over each other, and a line below them, can still be told."""
+"""Opacity of a band, of 255: two over each other, and a line below them, stay visible."""
 DOT = 5.0
 """Diameter of a point, pixels."""
 NOTHING: Floats = np.empty(0)
 
 
 class Trace:
-    """A curve; NaN ends a piece of it."""
+    """A curve, interrupted at NaN."""
 
     def __init__(self, changed: Changed) -> None:
         self._changed = changed
@@ -157,7 +157,7 @@ class Canvas(pg.GraphicsObject):  # type: ignore[misc]
         return None, None
 
     def paint(self, painter: QPainter, *_: Any) -> None:
-        """Paint all of it."""
+        """Paint all curves."""
         for band in self.bands:
             band.paint(painter)
         for trace in self.traces:
@@ -165,13 +165,13 @@ class Canvas(pg.GraphicsObject):  # type: ignore[misc]
 
 
 def _polygon(x: Floats, y: NDArray[np.floating]) -> QPolygonF:
-    """Return points as a polygon; a single one is a dot, which is a line to itself."""
+    """Return points as a polygon; a single one is repeated, so that it is painted as a dot."""
     if len(x) == 0:
         return QPolygonF()
     if len(x) == 1:
         x, y = np.repeat(x, 2), np.repeat(y, 2)
-    made: QPolygonF = pg.functions.arrayToQPolygonF(x, y)
-    return made
+    polygon: QPolygonF = pg.functions.arrayToQPolygonF(x, y)
+    return polygon
 
 
 def clear(*items: Trace | ShadedBand) -> None:

@@ -1,4 +1,4 @@
-"""A plot that is looked into by hand: a part shown larger, and two cursors that are read."""
+"""A plot handled by mouse and keys: a part shown larger, and two cursors with their readings."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from PySide6.QtWidgets import QRubberBand
 from rigapp.gui.plots.readings import LARGE_STEP, SMALL_STEP, CursorPair
 
 DRAG = 12
-"""Pixels that a rectangle has at least either way: less is a click with an unsteady hand."""
+"""Least size of a rectangle in pixels, either way: less is a click with an unsteady hand."""
 
 
 class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
     """Show a part larger, and move two cursors, the same on every plot.
 
-    Left to whoever draws: what stands in place of the curves (``instead``), and painting anew.
+    Subclasses define the sentence in place of the curves (``instead``), and repaint.
     """
 
     def __init__(self, **options: object) -> None:
@@ -34,7 +34,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         return bool(self._home)
 
     def show_range(self, side: str, low: float, high: float, padding: float = 0.0) -> None:
-        """Show values from low to high on an axis, "x" or "y"; once nobody looks closer."""
+        """Show values from low to high on an axis, "x" or "y"; while zoomed, after the zoom."""
         if side in self._home:
             self._home[side] = (low, high)
         else:
@@ -52,7 +52,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self._repaint()
 
     def zoom_back(self) -> None:
-        """Show what is shown when nobody looks closer."""
+        """Show the ranges outside of the zoom."""
         home, self._home = self._home, {}
         if home:
             self.setMouseEnabled(*self._movable)
@@ -61,7 +61,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self._repaint()
 
     def show_cursors(self, *, both: bool = True) -> None:
-        """Put both cursors down where they can be seen, or take them away."""
+        """Put both cursors where they are visible, or remove them."""
         if both:
             self.cursors.show(*self.viewRange()[0])
         else:
@@ -70,11 +70,11 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
 
     @property
     def instead(self) -> str:
-        """Return what stands in place of the curves, empty when these show."""
+        """Return the sentence in place of the curves, empty when these are shown."""
         return ""
 
     def _read_cursors(self) -> None:
-        """Take note that the cursors stand elsewhere."""
+        """Repaint after the cursors have moved."""
         self.viewport().update()
 
     def _repaint(self, *_: object) -> None:
@@ -82,7 +82,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self.viewport().update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the two cursors, show all again by Backspace; the rest is the plot's own."""
+        """Move the two cursors, show all again by Backspace; pass other keys to ``own_key``."""
         if self._cursor_key(event):
             self._read_cursors()
         elif event.key() == Qt.Key.Key_Backspace and self.zoomed:
@@ -111,7 +111,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         return True
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin a rectangle, or a click; with Shift put down a cursor."""
+        """Begin a rectangle, or a click; with Shift put a cursor."""
         shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
         if event.button() == Qt.MouseButton.LeftButton and shift and not self.instead:
             at = self.getViewBox().mapSceneToView(self.mapToScene(event.position().toPoint()))
@@ -140,8 +140,8 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
             self._frame_drawn.hide()
             self.scene().clickEvents.clear()  # else the next click were where this rectangle began
             area = self._frame_drawn.geometry()
-            corners = [self.mapToScene(one) for one in (area.topLeft(), area.bottomRight())]
-            first, last = (self.getViewBox().mapSceneToView(one) for one in corners)
+            corners = [self.mapToScene(corner) for corner in (area.topLeft(), area.bottomRight())]
+            first, last = (self.getViewBox().mapSceneToView(corner) for corner in corners)
             self.zoom((first.x(), last.x()), (last.y(), first.y()))
             event.accept()
             return

@@ -1,4 +1,4 @@
-"""Pictures of what is known of the wear: depth with predicted bands, narrowing posterior."""
+"""Plots of what is known of the wear: depth with predicted bands, narrowing posterior."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class ShadedCurve:
 
 
 class DepthPlot(QuietPlot):
-    """The measured depth to the planned end, with predicted bands, or the model where none is."""
+    """The measured depth to the planned end, with predicted bands, or the model without these."""
 
     def __init__(self, name: str, theme: Theme) -> None:
         super().__init__(name, "Wear depth against cycle, with bands", theme)
@@ -145,9 +145,9 @@ class DepthBandPanel(PlotPanel):
 
 
 class ForecastPanel(PlotPanel):
-    """Draw the depth to the planned end with its forecast; say what remains, or why it is unknown.
+    """Draw the depth to the planned end with its forecast; show what remains, or why it is unknown.
 
-    calibrate: called for the button that mends it where the probes have no record.
+    calibrate: called by the button that is shown where the probes have no record.
     """
 
     takes = Takes.HISTORY
@@ -173,7 +173,7 @@ class ForecastPanel(PlotPanel):
         column(head, self.remains, below, (self.plot, 1), on=self)
 
     def show_news(self, news: News) -> None:
-        """Draw what is known; once there is a forecast it is computed anew once a minute."""
+        """Draw what is known; a forecast is computed again once a minute."""
         self._reader.look(news, FORECAST_REST_S if self._reader.known.bands else REST_S)
         known, status = self._reader.known, news.status
         waiting = tr(
@@ -182,23 +182,23 @@ class ForecastPanel(PlotPanel):
             else "No revolution measured yet: the wear depth with its forecast is drawn here."
         )
         self.plot.draw(known, news, waiting, early=False)
-        remaining = [one for one in wear_of(news, time.time()) if one.name == REMAINING]
-        told = [f"{one.title}: {one.value} · {one.detail}" for one in remaining]
-        self.remains.setVisible(bool(told))
-        self.remains.show_text("".join(told))
+        remaining = [number for number in wear_of(news, time.time()) if number.name == REMAINING]
+        remains = [f"{number.title}: {number.value} · {number.detail}" for number in remaining]
+        self.remains.setVisible(bool(remains))
+        self.remains.show_text("".join(remains))
         lacking = status is not None and not news.is_replay and probes_lack_record(status)
-        why = "" if told else tr(NO_RECORD) if lacking else self._reader.sentence
-        if not why and not told and len(news.data.rows):
+        why = "" if remains else tr(NO_RECORD) if lacking else self._reader.sentence
+        if not why and not remains and len(news.data.rows):
             why = tr("The forecast is being computed …")
         self.why.setText(why)
         self.why.setVisible(bool(why))
-        self.mend.setVisible(lacking and not told)
+        self.mend.setVisible(lacking and not remains)
 
 
 def probes_lack_record(status: Status) -> bool:
     """Tell whether a probe has no stated uncertainty, without which nothing is forecast."""
-    probes = [one for one in status.rig.channels if one.name in PROBES]
-    return bool(probes) and any(one.uncertainty is None for one in probes)
+    probes = [channel for channel in status.rig.channels if channel.name in PROBES]
+    return bool(probes) and any(probe.uncertainty is None for probe in probes)
 
 
 class NarrowingPanel(PlotPanel):

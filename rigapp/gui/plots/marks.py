@@ -1,7 +1,7 @@
-"""What stands on a plot beside its curves: grid, limits, moments, spots, names at the curves.
+"""The marks on a plot beside its curves: grid, limits, moments, spots, names at the curves.
 
-All of it is painted straight from plain records, since an item of the scene for each would cost
-more than the curves.
+They are painted directly from plain records, since an item of the scene for each would cost more
+than the curves.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from operator import attrgetter
 from typing import TypeVar
 
 import numpy as np
@@ -28,17 +29,17 @@ from rigapp.viewer.shown import MARKS, Level, level_of_limit
 Tick = tuple[float, str]
 Floats = NDArray[np.floating]
 Place = TypeVar("Place", float, Floats)
-"""A place on an axis, and what stands there."""
+"""A value, or values, along an axis."""
 NEAREST = 1e-9
-"""Of a range: what is less wide is none."""
+"""Least width of a range: a narrower one is empty."""
 GROUND = 200
-"""Opacity of what lies below the words of a spot, of 255: a curve there is still seen."""
+"""Opacity of the ground of words at a spot, of 255: a curve below stays visible."""
 READOUT_GROUND = 230
-"""Opacity of what lies below the table at the cursors, of 255."""
+"""Opacity of the ground of the table at the cursors, of 255."""
 CLOSEST = 0.8
-"""Of a line's height, between two names: its letters are so high, and do not touch."""
+"""Distance of two names in line heights: letters are so high, and do not touch."""
 MOST_NAME = 24
-"""Characters of the words at a moment; its whole text stands in the log."""
+"""Characters of the words at a moment; its full text is in the log."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +63,7 @@ class LimitLine:
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """A point that is worth its words; beyond the range it stands as a caret at the edge."""
+    """A point with words; beyond the range it is a caret at the edge."""
 
     x: float
     y: float
@@ -72,7 +73,7 @@ class Spot:
 
 @dataclass(frozen=True, slots=True)
 class Marks:
-    """Everything that stands on a plot beside its curves."""
+    """All marks of a plot."""
 
     names: tuple[CurveName, ...] = ()
     limits: tuple[LimitLine, ...] = ()
@@ -82,8 +83,8 @@ class Marks:
     @property
     def words(self) -> str:
         """Return all of it for a screen reader."""
-        parts = [one.text for one in self.names] + [one.text for one in self.spots]
-        return ", ".join((*parts, *(one.words for one in self.limits)))
+        parts = [mark.text for mark in self.names] + [mark.text for mark in self.spots]
+        return ", ".join((*parts, *(limit.words for limit in self.limits)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,12 +96,12 @@ class PlotFrame:
     y_range: tuple[float, float]
 
     def x(self, value: Place) -> Place:
-        """Return the place of a value across."""
+        """Return the x of a value, pixels."""
         low, high = self.x_range
         return self.rect.left() + self.rect.width() * (value - low) / max(high - low, NEAREST)
 
     def y(self, value: Place) -> Place:
-        """Return the place of a value from above."""
+        """Return the y of a value, pixels from above."""
         low, high = self.y_range
         return self.rect.bottom() - self.rect.height() * (value - low) / max(high - low, NEAREST)
 
@@ -110,21 +111,21 @@ def spread(wanted: Sequence[float], room: float, low: float, high: float) -> lis
 
     Where there is too little room for all, they are equally close from low on.
     """
-    order = sorted(range(len(wanted)), key=lambda one: wanted[one])
+    order = sorted(range(len(wanted)), key=lambda index: wanted[index])
     room = min(room, (high - low) / max(len(wanted) - 1, 1))
-    found = [0.0] * len(wanted)
+    places = [0.0] * len(wanted)
     last = low - room
-    for one in order:
-        last = found[one] = max(wanted[one], last + room)
+    for index in order:
+        last = places[index] = max(wanted[index], last + room)
     last = high + room
-    for one in reversed(order):
-        last = found[one] = min(found[one], last - room)
-    return found
+    for index in reversed(order):
+        last = places[index] = min(places[index], last - room)
+    return places
 
 
 @cache
 def small_font(*, strong: bool = False) -> tuple[QFont, QFontMetrics]:
-    """Return the font of what stands on a plot, and how large its letters are."""
+    """Return the font of marks with its metrics."""
     weight = QFont.Weight.DemiBold if strong else QFont.Weight.Normal
     font = sized(QFont(), CAPTION_PT, weight)
     return font, QFontMetrics(font)
@@ -137,14 +138,14 @@ def _width_of_name(text: str) -> int:
 
 def name_room(names: Sequence[CurveName]) -> int:
     """Return the width that names need beside a plot, on the grid."""
-    widest = max((_width_of_name(one.text) for one in names), default=0)
+    widest = max((_width_of_name(name.text) for name in names), default=0)
     return -(-(widest + STEP) // (2 * STEP)) * 2 * STEP
 
 
 def paint_axes(
     painter: QPainter, frame: PlotFrame, across: Sequence[Tick], up: Sequence[Tick], theme: Theme
 ) -> None:
-    """Paint a calm line at every tick, a stronger one at zero, and what stands at the ticks."""
+    """Paint a faint line at every tick, a stronger one at zero, and the texts of the ticks."""
     rect = frame.rect
     font, metrics = small_font()
     painter.setFont(font)
@@ -155,28 +156,28 @@ def paint_axes(
         painter.drawLine(QPointF(x, rect.top()), QPointF(x, rect.bottom()))
         painter.setPen(QColor(theme.muted))
         width = metrics.horizontalAdvance(text)
-        place = QRectF(x - width / 2.0, rect.bottom() + STEP // 2, width, row)
-        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+        box = QRectF(x - width / 2.0, rect.bottom() + STEP // 2, width, row)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
     for value, text in up:
         y = frame.y(value)
         painter.setPen(line_pen(theme.strong if abs(value) < NEAREST else theme.grid))
         painter.drawLine(QPointF(rect.left(), y), QPointF(rect.right(), y))
         painter.setPen(QColor(theme.muted))
-        place = QRectF(0.0, y - half, rect.left() - STEP // 2, row)
-        painter.drawText(place, Qt.AlignmentFlag.AlignRight, text)
+        box = QRectF(0.0, y - half, rect.left() - STEP // 2, row)
+        painter.drawText(box, Qt.AlignmentFlag.AlignRight, text)
     painter.setPen(line_pen(theme.strong))
     painter.drawLine(rect.bottomLeft(), rect.bottomRight())
 
 
 def paint_captions(painter: QPainter, frame: PlotFrame, across: str, up: str, theme: Theme) -> None:
-    """Write what is drawn along the axes: below the ticks, and turned at the left of them."""
+    """Write the captions of the axes: below the ticks, and turned at the left of them."""
     rect = frame.rect
     font, metrics = small_font()
     painter.setFont(font)
     painter.setPen(QColor(theme.muted))
     row = metrics.height()
-    place = QRectF(rect.left(), rect.bottom() + row + STEP, rect.width(), row)
-    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, across)
+    box = QRectF(rect.left(), rect.bottom() + row + STEP, rect.width(), row)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, across)
     painter.save()
     painter.translate(0.0, rect.bottom())
     painter.rotate(-90.0)
@@ -189,13 +190,13 @@ def paint_limits(
 ) -> None:
     """Paint the limits within the range, their forbidden side hatched."""
     low, high = frame.y_range
-    for one in limits:
-        if not low <= one.value <= high:
+    for limit in limits:
+        if not low <= limit.value <= high:
             continue
-        colour = QColor(_limit_colour(one, theme))
-        hatch = QColor(_limit_colour(one, theme) if one.level else theme.strong)
-        edge = frame.rect.bottom() if one.below else frame.rect.top()
-        at = frame.y(one.value)
+        colour = QColor(_limit_colour(limit, theme))
+        hatch = QColor(_limit_colour(limit, theme) if limit.level else theme.strong)
+        edge = frame.rect.bottom() if limit.below else frame.rect.top()
+        at = frame.y(limit.value)
         side = QRectF(
             QPointF(frame.rect.left(), min(at, edge)), QPointF(frame.rect.right(), max(at, edge))
         )
@@ -209,7 +210,7 @@ def _limit_colour(limit: LimitLine, theme: Theme) -> str:
 
 
 def _clear_first(places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]) -> list[QRectF]:
-    """Return places in their order, those first through which the fewest points of curves go.
+    """Return places ordered by how many points of curves are in them, the emptiest first.
 
     curves: x and y of each on the screen, arrays (n,).
     """
@@ -217,11 +218,11 @@ def _clear_first(places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats
     for x, y in curves:
         points += [
             np.count_nonzero(
-                (x >= one.left()) & (x <= one.right()) & (y >= one.top()) & (y <= one.bottom())
+                (x >= box.left()) & (x <= box.right()) & (y >= box.top()) & (y <= box.bottom())
             )
-            for one in places
+            for box in places
         ]
-    return [places[at] for at in np.argsort(points, kind="stable")]
+    return [places[index] for index in np.argsort(points, kind="stable")]
 
 
 def paint_limit_words(
@@ -240,11 +241,11 @@ def paint_limit_words(
     font, metrics = small_font()
     painter.setFont(font)
     height = float(metrics.height())
-    for one in limits:
-        if low <= one.value <= high:
-            at = frame.y(one.value)
-            tops = (at - height, at) if one.below else (at, at - height)
-            text, colour = f"{MARKS[one.level]}{one.words}", _limit_colour(one, theme)
+    for limit in limits:
+        if low <= limit.value <= high:
+            at = frame.y(limit.value)
+            tops = (at - height, at) if limit.below else (at, at - height)
+            text, colour = f"{MARKS[limit.level]}{limit.words}", _limit_colour(limit, theme)
             places = _clear_first(_along(frame.rect, metrics, text, tops), curves)
             _words(painter, frame, text, colour, places, taken, _ground(theme))
 
@@ -266,8 +267,9 @@ def paint_next_limits(
     font, metrics = small_font()
     painter.setFont(font)
     height = float(metrics.height())
-    above = min((one for one in limits if one.value > high), key=_value, default=None)
-    under = max((one for one in limits if one.value < low), key=_value, default=None)
+    value = attrgetter("value")
+    above = min((limit for limit in limits if limit.value > high), key=value, default=None)
+    under = max((limit for limit in limits if limit.value < low), key=value, default=None)
     for edge, caret, tops in (
         (above, "⌃", (rect.top(), rect.top() + height)),
         (under, "⌄", (rect.bottom() - height, rect.bottom() - 2 * height)),
@@ -278,12 +280,8 @@ def paint_next_limits(
             _words(painter, frame, text, theme.muted, places, taken, _ground(theme))
 
 
-def _value(one: LimitLine) -> float:
-    return one.value
-
-
 def _along(rect: QRectF, metrics: QFontMetrics, text: str, tops: Sequence[float]) -> list[QRectF]:
-    """Return where words may stand at heights: at the left, in the middle, at the right."""
+    """Return places for words at heights: at the left, in the middle, at the right."""
     width, height = float(metrics.horizontalAdvance(text)), float(metrics.height())
     lefts = (rect.left() + STEP, rect.center().x() - width / 2, rect.right() - width - STEP)
     return [QRectF(left, top, width, height) for left in lefts for top in tops]
@@ -298,15 +296,15 @@ def _words(
     taken: list[QRectF],
     ground: QColor | None = None,
 ) -> None:
-    """Write words at the first place that is free; ground: laid below them, over the curves."""
+    """Write words at the first free place; ground: painted below them, over the curves."""
     rect = frame.rect.adjusted(0, -1, 0, 1)
-    for place in places:
-        if rect.contains(place) and not any(place.intersects(one) for one in taken):
-            taken.append(place)
+    for box in places:
+        if rect.contains(box) and not any(box.intersects(other) for other in taken):
+            taken.append(box)
             if ground is not None:
-                painter.fillRect(place, ground)
+                painter.fillRect(box, ground)
             painter.setPen(QColor(colour))
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
             return
 
 
@@ -322,22 +320,23 @@ def paint_names(
     half = metrics.height() / 2.0
     low, high = frame.rect.top() + half, frame.rect.bottom() - half
     names = names[: 1 + int(max(high - low, 0.0) / (CLOSEST * metrics.height()))]
-    wanted = [min(max(frame.y(one.at), low), high) for one in names]
-    for one, at in zip(names, spread(wanted, metrics.height(), low, high), strict=True):
-        painter.setPen(one.pen.ink(theme))
-        painter.drawText(QPointF(frame.rect.right() + STEP, at - half + metrics.ascent()), one.text)
+    wanted = [min(max(frame.y(name.at), low), high) for name in names]
+    for name, at in zip(names, spread(wanted, metrics.height(), low, high), strict=True):
+        painter.setPen(name.pen.ink(theme))
+        foot = at - half + metrics.ascent()
+        painter.drawText(QPointF(frame.rect.right() + STEP, foot), name.text)
 
 
 def paint_cursor(painter: QPainter, frame: PlotFrame, at: float, text: str, theme: Theme) -> None:
-    """Write where the cursor is, at its foot."""
+    """Write the value of the cursor at its foot."""
     font, metrics = small_font(strong=True)
     painter.setFont(font)
     width, height = metrics.horizontalAdvance(text) + STEP, float(metrics.height())
     left = min(frame.x(at), frame.rect.right() - width)
-    place = QRectF(left, frame.rect.bottom() - height, width, height)
-    painter.fillRect(place, QColor(theme.text))
+    box = QRectF(left, frame.rect.bottom() - height, width, height)
+    painter.fillRect(box, QColor(theme.text))
     painter.setPen(QColor(theme.base))
-    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def paint_readout(
@@ -355,7 +354,7 @@ def paint_readout(
             painter.setPen(QColor(theme.highlight))
             painter.drawText(QPointF(x + 2.0, frame.rect.top() + metrics.ascent()), str(number))
     widths = [
-        max(metrics.horizontalAdvance(row[at]) for row in rows) + STEP for at in range(len(rows[0]))
+        max(map(metrics.horizontalAdvance, column)) + STEP for column in zip(*rows, strict=True)
     ]
     height = metrics.height()
     left, top = frame.rect.left() + STEP, frame.rect.top() + STEP
@@ -368,12 +367,12 @@ def paint_readout(
     painter.setPen(QColor(theme.strong))
     painter.drawRect(box)
     painter.setPen(QColor(theme.text))
-    for line, row in enumerate(rows):
+    for number, row in enumerate(rows):
         x = left + STEP / 2.0
-        for at, (text, width) in enumerate(zip(row, widths, strict=True)):
-            place = QRectF(x, top + STEP / 2.0 + line * height, width, height)
-            side = Qt.AlignmentFlag.AlignRight if at else Qt.AlignmentFlag.AlignLeft
-            painter.drawText(place, side | Qt.AlignmentFlag.AlignVCenter, text)
+        for column, (text, width) in enumerate(zip(row, widths, strict=True)):
+            cell = QRectF(x, top + STEP / 2.0 + number * height, width, height)
+            side = Qt.AlignmentFlag.AlignRight if column else Qt.AlignmentFlag.AlignLeft
+            painter.drawText(cell, side | Qt.AlignmentFlag.AlignVCenter, text)
             x += width
 
 
@@ -384,11 +383,11 @@ def paint_spots(
     font, metrics = small_font(strong=True)
     painter.setFont(font)
     rect, size = frame.rect, STEP / 2.0
-    for one in spots:
-        x, y = frame.x(one.x), frame.y(one.y)
+    for spot in spots:
+        x, y = frame.x(spot.x), frame.y(spot.y)
         if not rect.left() <= x <= rect.right():
             continue
-        colour = one.pen.ink(theme)
+        colour = spot.pen.ink(theme)
         painter.setPen(colour)
         over, under = y < rect.top(), y > rect.bottom()
         y = min(max(y, rect.top() + size), rect.bottom() - size)
@@ -399,18 +398,18 @@ def paint_spots(
         else:
             painter.setBrush(QColor(theme.base))
             painter.drawEllipse(QPointF(x, y), size, size)
-        width, height = float(metrics.horizontalAdvance(one.text)), float(metrics.height())
+        width, height = float(metrics.horizontalAdvance(spot.text)), float(metrics.height())
         places = [
             QRectF(left, top, width, height)
             for top in (y - size - height, y - size, y + size)
             for left in (x + STEP, x - STEP - width)
         ]
         taken.append(QRectF(x - size, y - size, 2 * size, 2 * size))
-        _words(painter, frame, one.text, colour.name(), places, taken, _ground(theme))
+        _words(painter, frame, spot.text, colour.name(), places, taken, _ground(theme))
 
 
 def _ground(theme: Theme) -> QColor:
-    """Return what is laid below words that stand over curves."""
+    """Return the ground of words over curves."""
     ground = QColor(theme.base)
     ground.setAlpha(GROUND)
     return ground
@@ -420,22 +419,24 @@ def paint_moments(
     painter: QPainter, frame: PlotFrame, moments: Sequence[MarkedMoment], theme: Theme
 ) -> None:
     """Paint a line at every moment, and in the lane above the plot its shape and its words."""
-    shown = [one for one in moments if frame.x_range[0] <= one.revolution <= frame.x_range[1]]
+    low, high = frame.x_range
+    shown = [moment for moment in moments if low <= moment.revolution <= high]
     font, metrics = small_font()
     painter.setFont(font)
     middle = frame.rect.top() - metrics.height() / 2.0 - 2.0
     free = frame.rect.right()
     # From the right, so that the newest keep their words where not all have room.
-    for one in reversed(shown):
-        x = frame.x(one.revolution)
-        critical = one.severity is Severity.CRITICAL
+    for moment in reversed(shown):
+        x = frame.x(moment.revolution)
+        critical = moment.severity is Severity.CRITICAL
         painter.setPen(line_pen(theme.critical if critical else theme.muted, dotted=not critical))
         painter.drawLine(QPointF(x, frame.rect.top()), QPointF(x, frame.rect.bottom()))
         colour = QColor(theme.critical if critical else theme.secondary)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
-        painter.drawPolygon(_shape(one.severity, x, middle))
-        text = one.words if len(one.words) <= MOST_NAME else one.words[: MOST_NAME - 1] + "…"
+        painter.drawPolygon(_shape(moment.severity, x, middle))
+        text = moment.words
+        text = text if len(text) <= MOST_NAME else text[: MOST_NAME - 1] + "…"
         if x + STEP + metrics.horizontalAdvance(text) <= free:
             painter.setPen(colour)
             top = middle - metrics.height() / 2.0
@@ -444,8 +445,8 @@ def paint_moments(
 
 
 def trip_lines(frame: PlotFrame, moments: Sequence[MarkedMoment]) -> list[QRectF]:
-    """Return the places of the lines of critical moments, over which no words are to stand."""
-    shown = [one.revolution for one in moments if one.severity is Severity.CRITICAL]
+    """Return the places of the lines of critical moments, which words must not cover."""
+    shown = [moment.revolution for moment in moments if moment.severity is Severity.CRITICAL]
     return [QRectF(frame.x(at) - 1.0, frame.rect.top(), 2.0, frame.rect.height()) for at in shown]
 
 
@@ -463,14 +464,14 @@ def _shape(severity: Severity | None, x: float, y: float) -> QPolygonF:
 def alarm_token(news: News) -> tuple[tuple[str, str], ...]:
     """Return what the colours of limits depend on: a plot is drawn anew when it changes."""
     alarms = news.status.alarms if news.status is not None else ()
-    return tuple((one.key, one.state) for one in alarms)
+    return tuple((alarm.key, alarm.state) for alarm in alarms)
 
 
 def limit_lines(news: News, columns: Collection[str]) -> tuple[LimitLine, ...]:
     """Return the limits of columns as lines of a plot, each coloured by its alarm alone."""
     alarms = news.status.alarms if news.status is not None else ()
     return tuple(
-        LimitLine(one.limit, one.words, one.below, level_of_limit(alarms, one.key))
-        for one in watched(news)
-        if one.column in columns
+        LimitLine(margin.limit, margin.words, margin.below, level_of_limit(alarms, margin.key))
+        for margin in watched(news)
+        if margin.column in columns
     )

@@ -44,18 +44,18 @@ if TYPE_CHECKING:
 
 PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
 OTHER = LinePen("frozen")
-"""A revolution behind the newest one."""
+"""The pen of a revolution behind the newest one."""
 WAITING: Final[Text] = (
     "No revolution measured yet: the joint force over one turn of the crank is drawn here."
 )
 NO_PREDICTION: Final[Text] = "No prediction yet: measured − model is drawn here."
 UNFOLLOWED: Final[Text] = "the speed changes faster than the prediction can follow"
 FORCE_HEIGHT = 24 * STEP
-"""Of the plot that each page of forces is looked at for."""
+"""Of the main plot of each page of forces."""
 WHOLE_TURN = np.array([0.0, 360.0])
 FROZEN, STORED, GOOD = marked("frozen"), marked("stored"), marked("last good")
 SAVED = marked("last saved")
-"""What a revolution behind the newest one is: of a moment ago, from the file, before a trip."""
+"""Kinds of revolutions behind the newest one: frozen, from the file, before a trip."""
 BEHIND = (FROZEN, STORED, GOOD, SAVED)
 
 
@@ -157,7 +157,7 @@ class OverlayPanel(PlotPanel):
         self.plot.show_crank_angle()
 
     def set_mechanism(self, crank_over_follower: float | None) -> None:
-        """Take crank radius / follower length of the test; None: the follower frame is closed."""
+        """Set crank radius / follower length of the test; None: no follower frame."""
         if crank_over_follower != self._ratio:
             self._ratio = crank_over_follower
             self._offer_follower_frame()
@@ -228,7 +228,7 @@ class OverlayPanel(PlotPanel):
         return self._peak.value_N if self._peak is not None else -math.inf
 
     def _start_afresh(self, *, first: bool) -> None:
-        """Forget what is of another test: ranges, marks, and what stands behind."""
+        """Drop what belongs to another test: ranges, marks, and revolutions behind."""
         if not first:
             self._others.clear()
             self.freeze.setChecked(False)
@@ -295,7 +295,7 @@ class OverlayPanel(PlotPanel):
     def _agreement(self, shown: RevolutionCurves) -> Floats:
         """Return the band of measured minus predicted, N: on the model's angles, or at both ends.
 
-        A prediction of before knows the angle's part alone; the load cell's is added to it.
+        An older prediction has only the part of the angle; that of the load cell is added.
         """
         if shown.agreement is not None:
             return shown.agreement
@@ -323,8 +323,8 @@ class OverlayPanel(PlotPanel):
         held = tr("HELD") if self.held else "N"
         self.title.show_text(title + (tr(", HELD") if self.held else ""), held)
         names = self._names(shown)
-        place = int(np.argmax(shown.measured[SIZE]))
-        angle, largest, sign = float(shown.angle_deg[place]), float(shown.measured[SIZE][place]), ""
+        index = int(np.argmax(shown.measured[SIZE]))
+        angle, largest, sign = float(shown.angle_deg[index]), float(shown.measured[SIZE][index]), ""
         if self._peak is not None and self._peak.value_N >= largest:
             largest, sign = self._peak.value_N, self._peak.sign
         peak = Spot(angle, largest, sign + tr("{:.1f} N at {:.0f}°", largest, angle), PENS[SIZE])
@@ -334,30 +334,30 @@ class OverlayPanel(PlotPanel):
             self.residual_plot.show_marks(names=(CurveName(f"± {both:.2g} N", MODEL, both),))
 
     def _names(self, shown: RevolutionCurves) -> list[CurveName]:
-        """Return the names at the curves, with the values at the cursor where it stands."""
-        found = []
+        """Return the names at the curves, with the values at the cursor where there is one."""
+        names = []
         values = None if self._cursor is None else values_at(shown, self._cursor)
         for (name, pen), text in zip(PENS.items(), self._words, strict=True):
             read = "" if values is None else f" {values[name][0]:.1f}"
-            found.append(CurveName(text + read, pen, float(shown.measured[name][-1])))
+            names.append(CurveName(text + read, pen, float(shown.measured[name][-1])))
         if shown.model is not None:
             text = tr("model (stale)") if self._stale else tr("model")
             text += "" if values is None else f" {values[SIZE][1]:.1f}"
             if math.isfinite(self._doubt.uncertainty_N):
                 text += f" ± {self._doubt.uncertainty_N:.2g} N"
-            found.append(CurveName(text, self._model_pen, float(shown.model[SIZE][-1])))
+            names.append(CurveName(text, self._model_pen, float(shown.model[SIZE][-1])))
         for kind, other in self._others.items():
             text = f"{tr(kind)} {grouped(other.cycle.revolution)}"
-            found.append(CurveName(text, OTHER, float(other.cycle.channels[SIZE][-1])))
-        return found
+            names.append(CurveName(text, OTHER, float(other.cycle.channels[SIZE][-1])))
+        return names
 
     @property
     def _words(self) -> tuple[str, ...]:
-        """Return what the curves are called; the frame stands above the plot."""
-        return ("|F|", *(tr(one) for one in SHORT_NAMES[self.frame]))
+        """Return the names of the curves; the frame is shown above the plot."""
+        return ("|F|", *(tr(name) for name in SHORT_NAMES[self.frame]))
 
     def _read_out(self) -> None:
-        """Say below the plot what is measured less what the model says, at the cursor."""
+        """Show measured minus model at the cursor, or why they differ."""
         text, short = tr("N, grey: every sample"), "N"
         if self._doubt.unfollowed:
             text, short = f"▲ {tr(UNFOLLOWED)}", "▲"

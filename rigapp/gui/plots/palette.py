@@ -1,4 +1,4 @@
-"""The lines of plots: how each is drawn in any theme."""
+"""The lines of plots in any theme."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class LinePen:
 
 MODEL = LinePen("model", dashed=True)
 STALE_CURVE = LinePen("frozen", dashed=True)
-"""A predicted line, and one that is older than what it stands beside."""
+"""A predicted line, and one that is older than the measured lines."""
 
 DASHES = (8.0, 4.0)
 """Stroke and gap in pixels: long enough to be seen through the noise of a measured line."""

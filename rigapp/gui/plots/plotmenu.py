@@ -1,4 +1,4 @@
-"""What leaves a plot: its picture, copied or saved, and the data of its curves."""
+"""The menu of a plot: its picture, copied or saved, and the data of its curves."""
 
 from __future__ import annotations
 
@@ -34,16 +34,16 @@ Write = Callable[[QuietPlot, Path], None]
 def offer_menus(page: QWidget, say: Callable[[str, bool], None]) -> None:
     """Give every plot on a page its menu, by mouse and by the key of menus.
 
-    say: tells what came of it, and whether that is good.
+    say: shows the result, and whether it is a success.
     """
     for plot in page.findChildren(QuietPlot):
         plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         plot.customContextMenuRequested.connect(partial(open_menu, plot))
-        plot.said.connect(say)
+        plot.reported.connect(say)
 
 
 def open_menu(plot: QuietPlot, at: QPoint) -> None:
-    """Offer what can be done with a plot, at a place of it."""
+    """Show the menu of a plot at a place of it."""
     menu = QMenu(plot)
     menu.setObjectName("plot_menu")
     for text, call in (
@@ -69,7 +69,7 @@ def copy_picture(plot: QuietPlot) -> None:
 
 
 def save_picture(plot: QuietPlot, path: Path) -> None:
-    """Write the picture of a plot as its ending says; raise UnusableInput where that fails."""
+    """Write the picture of a plot in the format of the ending; raise UnusableInput on failure."""
     with whole_file(path) as part:
         ending = path.suffix.lower()
         if ending == ".png":
@@ -121,8 +121,8 @@ def data_rows(plot: QuietPlot) -> Iterator[tuple[str, ...]]:
 
 
 def _choose(plot: QuietPlot, title: Text, write: Write, endings: tuple[str, ...]) -> None:
-    """Let somebody name a file, beside the window, so that Stop can be pressed."""
-    kinds = ";;".join(f"{one[1:].upper()} (*{one})" for one in endings)
+    """Show a dialog for a file name, not modal, so that Stop can be pressed."""
+    kinds = ";;".join(f"{ending[1:].upper()} (*{ending})" for ending in endings)
     dialog = QFileDialog(plot.window(), tr(title), f"{plot.objectName()}{endings[0]}", kinds)
     dialog.setObjectName("plot_file")
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
@@ -137,6 +137,6 @@ def _write(plot: QuietPlot, write: Write, path: str) -> None:
     try:
         write(plot, Path(path))
     except (UnusableInput, OSError) as error:
-        plot.said.emit(error_text(error, "The file cannot be written."), False)
+        plot.reported.emit(error_text(error, "The file cannot be written."), False)
     else:
-        plot.said.emit(tr("Saved: {}", path), True)
+        plot.reported.emit(tr("Saved: {}", path), True)

@@ -1,4 +1,4 @@
-"""A panel of plots, and what is written beside them: titles, units, remarks."""
+"""A panel of plots, and the labels beside them: titles, units, remarks."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.series import LiveData
 
 NO_REVOLUTION: Final[Text] = "No revolution measured yet"
-"""The beginning of the sentence of a plot that waits for the first one."""
+"""Begin of the sentence of a plot without a revolution yet."""
 
 
 class PlotPanel(QWidget):
     """A panel of plots: in a new theme every plot on it is drawn anew.
 
-    The data that is drawn is held weakly: a panel that nobody looks at keeps no test that is over.
+    The data that is drawn is held weakly: a hidden panel keeps no test that is over.
     """
 
     def __init__(self, name: str, spoken: Text) -> None:
@@ -40,27 +40,27 @@ class PlotPanel(QWidget):
             plot.dress(theme)
 
     def minimumSizeHint(self) -> QSize:
-        """Return what it needs at its width: a splitter does not ask how its texts wrap."""
+        """Return what it needs at its width: a splitter does not consider how its texts wrap."""
         least, layout = super().minimumSizeHint(), self.layout()
         if layout is not None and layout.hasHeightForWidth():
             least.setHeight(max(least.height(), layout.totalMinimumHeightForWidth(self.width())))
         return least
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Take note that texts wrap otherwise now."""
+        """Update the size hint: texts wrap differently now."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
 
     def take_data(self, data: LiveData) -> bool:
-        """Take the data that is drawn from now on; return whether it is other than before."""
+        """Set the data that is drawn; return whether it has changed."""
         other = self._data is None or data is not self._data()
         if other:
             self._data = ref(data)
         return other
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show nothing of a test that is over: what is new is drawn in a turn of its own."""
+        """Empty the plots of a test that is over; the new one is drawn in a later turn."""
         if self._data is not None and self._data() is None:
             for plot in self.findChildren(QuietPlot):
                 plot.empty(NO_REVOLUTION)
@@ -69,19 +69,19 @@ class PlotPanel(QWidget):
 
 def plot_heading(text: Text) -> QLabel:
     """Return the title of a card, or of a part of it."""
-    made = QLabel(tr(text))
-    made.setFont(sized(made.font(), BODY_PT, QFont.Weight.DemiBold))
-    return made
+    label = QLabel(tr(text))
+    label.setFont(sized(label.font(), BODY_PT, QFont.Weight.DemiBold))
+    return label
 
 
 def remark(name: str, spoken: Text) -> QLabel:
-    """Return what is said in a few words below a title; it wraps."""
+    """Return a label for a few words below a title; it wraps."""
     return prose(name, spoken, role="caption")
 
 
 def detail(name: str, spoken: Text) -> ShortLabel:
-    """Return what stands beside a title: unit, revolution; its short text has always room."""
-    made = ShortLabel(name, spoken)
-    made.setProperty("role", "secondary")
-    made.setContentsMargins(STEP // 2, 0, STEP // 2, 0)
-    return made
+    """Return a label beside a title, for unit or revolution; its short text always has room."""
+    label = ShortLabel(name, spoken)
+    label.setProperty("role", "secondary")
+    label.setContentsMargins(STEP // 2, 0, STEP // 2, 0)
+    return label

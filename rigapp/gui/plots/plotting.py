@@ -52,50 +52,50 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.ranges import SteadyRange
 
 LEAST_HEIGHT = 20 * STEP
-"""Of what is shown as a plot, with its axis: a page too low for it scrolls."""
+"""Of a plot with its axis: a page too low for it scrolls."""
 LEAST_ROOM = 2 * STEP
-"""Beside a plot without names: half of the last tick's text stands there."""
+"""Beside a plot without names: room for half of the last tick's text."""
 QUARTERS = range(0, 361, 90)
 """Of a turn, degrees: where an axis of crank angles has its ticks."""
 
 
 class NameRoom:
-    """The width that the names of curves have beside plots which stand below each other."""
+    """The common width of the names of curves beside plots that are below each other."""
 
     def __init__(self) -> None:
         self._needs: dict[QuietPlot, int] = {}
 
     @property
     def width(self) -> int:
-        """Return the width that the widest of their names needs."""
+        """Return the width of the widest name."""
         return max(self._needs.values(), default=LEAST_ROOM)
 
     def need(self, plot: QuietPlot, width: int) -> None:
-        """Take what the names of a plot need; it shrinks only when the plot starts afresh."""
+        """Set the width for the names of a plot; it shrinks only when the plot starts afresh."""
         self._set(plot, max(width, self._needs.get(plot, LEAST_ROOM)))
 
     def start_afresh(self, plot: QuietPlot) -> None:
-        """Begin with the least width: what the plot draws next is of another test."""
+        """Reset to the least width: the plot draws another test next."""
         self._set(plot, LEAST_ROOM)
 
     def _set(self, plot: QuietPlot, width: int) -> None:
         before = self.width
         self._needs[plot] = width
         if self.width != before:
-            for one in self._needs:
-                one.give_room()
+            for other in self._needs:
+                other.give_room()
 
 
 class QuietPlot(HandledPlot):
     """A plot without buttons, automatic ranges or a legend; ``show_marks`` does the rest.
 
     A rectangle drawn with the mouse is shown larger, moved by the middle button, until Backspace or
-    the menu shows all again; the menu (right click, Shift+F10) gives picture and data away.
-    Shift+click, or the keys 1 and 2, put down two cursors that Ctrl with an arrow moves and Esc
-    takes away. ``said`` tells what came of it.
+    the menu shows all again; the menu (right click, Shift+F10) saves picture and data.
+    Shift+click, or the keys 1 and 2, put two cursors that Ctrl with an arrow moves and Esc removes.
+    ``reported``: the result of the menu, and whether it is a success.
     """
 
-    said = Signal(str, bool)
+    reported = Signal(str, bool)
 
     def __init__(
         self,
@@ -130,7 +130,7 @@ class QuietPlot(HandledPlot):
         self._instead.setWordWrap(True)
         self._instead.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._instead.hide()
-        # What lies behind the curves is painted once, and kept until something of it moves.
+        # The background of the curves is painted once, and cached until something of it moves.
         view = self.getViewBox()
         for moved in (view.sigRangeChanged, view.sigResized, view.geometryChanged):
             moved.connect(self._repaint)
@@ -139,16 +139,16 @@ class QuietPlot(HandledPlot):
         self.dress(theme)
 
     def sizeHint(self) -> QSize:
-        """Want no more than the least: a page then scrolls only where that has no room."""
+        """Return the minimum: a page then scrolls only where that has no room."""
         return QSize(self.minimumWidth(), self.minimumHeight())
 
     def captions(self) -> tuple[str, str]:
-        """Return what stands along the axes; for the vertical one what the plot is, without it."""
+        """Return the captions of the axes; the plot's name in place of a missing vertical one."""
         return self._axes["bottom"].text, self._axes["left"].text or self.accessibleName()
 
     def drawn(self) -> Iterator[tuple[PlottedCurve, LinePen | None]]:
         """Yield curves and points with their pens; None for a pen of pyqtgraph's own items."""
-        yield from ((one, self._pens[one]) for one in self._canvas.traces)
+        yield from ((trace, self._pens[trace]) for trace in self._canvas.traces)
         for item in self.getPlotItem().listDataItems():
             x, y = item.getData()
             if x is not None:
@@ -159,14 +159,14 @@ class QuietPlot(HandledPlot):
         return named_curves(self.drawn(), self._marks.names)
 
     def _read_cursors(self) -> None:
-        """Say what is read at the cursors, to eyes and to a screen reader."""
+        """Show the readings at the cursors, also to a screen reader."""
         rows = self.cursor_readout() if self.cursors.places else []
         words = "; ".join(" ".join(row).strip() for row in rows)
         self.setAccessibleDescription(words or self._marks.words)
         self.viewport().update()
 
     def cursor_readout(self) -> list[list[str]]:
-        """Return the table of what is read at the cursors."""
+        """Return the table of the readings at the cursors."""
         return readout(self.cursors, self.captions()[0] or self._across, self.curves())
 
     def dress(self, theme: Theme) -> None:
@@ -186,7 +186,7 @@ class QuietPlot(HandledPlot):
 
     @property
     def instead(self) -> str:
-        """Return the sentence that stands in place of axes and curves, empty when these show."""
+        """Return the sentence in place of axes and curves, empty when these are shown."""
         return self._instead.text()
 
     def name_places(self, side: str, texts: Sequence[str]) -> None:
@@ -195,7 +195,7 @@ class QuietPlot(HandledPlot):
         self._repaint()
 
     def empty(self, sentence: Text) -> None:
-        """Show a sentence in place of axes and curves, which mean nothing yet; "": show these."""
+        """Show a sentence in place of axes and curves without data; "": show these."""
         sentence = tr(sentence)
         if sentence == self._instead.text():
             return
@@ -268,18 +268,18 @@ class QuietPlot(HandledPlot):
 
     @property
     def marks(self) -> Marks:
-        """Return what stands on the plot beside its curves."""
+        """Return the marks of the plot."""
         return self._marks
 
     def start_afresh(self) -> None:
-        """Forget range, room and marks: what is drawn next is of another test."""
+        """Reset range, room and marks: another test is drawn next."""
         self.steady.forget()
         self._room.start_afresh(self)
         self.cursors.clear()
         self.show_marks(names=(), limits=(), moments=(), spots=())
 
     def drawBackground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint what lies behind the curves."""
+        """Paint the marks behind the curves."""
         super().drawBackground(painter, rect)
         if not self.instead:
             frame, marks = self._frame(), self._marks
@@ -294,7 +294,7 @@ class QuietPlot(HandledPlot):
             paint_moments(painter, frame, marks.moments, self.theme)
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint what lies before the curves."""
+        """Paint the marks before the curves."""
         if self.instead:
             return
         frame, marks = self._frame(), self._marks
@@ -303,8 +303,8 @@ class QuietPlot(HandledPlot):
         paint_spots(painter, frame, marks.spots, self.theme, taken)
         taken += trip_lines(frame, marks.moments)
         if marks.limits:
-            traces = [one for one in self._canvas.traces if len(one.x)]
-            curves = [(frame.x(one.x), frame.y(one.y)) for one in traces]
+            traces = [trace for trace in self._canvas.traces if len(trace.x)]
+            curves = [(frame.x(trace.x), frame.y(trace.y)) for trace in traces]
             paint_limit_words(painter, frame, marks.limits, self.theme, taken, curves)
             paint_next_limits(painter, frame, marks.limits, self.theme, taken, curves)
         paint_names(painter, frame, marks.names, self.theme)
@@ -324,11 +324,11 @@ class QuietPlot(HandledPlot):
         return self._placed
 
     def give_room(self) -> None:
-        """Leave room for moments above the curves, and for names beside them."""
+        """Set the room for moments above the curves, and for names beside them."""
         self.getPlotItem().layout.setContentsMargins(0, self._top, self._room.width, 0)
 
     def guide(self, at: float, *, horizontal: bool) -> pg.InfiniteLine:
-        """Add a calm line where the grid has none."""
+        """Add a faint line where the grid has none."""
         line = pg.InfiniteLine(at, angle=0 if horizontal else 90)
         self.draw_with(LinePen("grid"), line)
         line.setZValue(-10)
@@ -351,7 +351,7 @@ Pointed = Callable[[float | None], None]
 
 
 class CursorPlot(QuietPlot):
-    """A plot with a cursor that a click puts somewhere and Esc takes away."""
+    """A plot with a cursor that a click puts and Esc removes."""
 
     def __init__(
         self,
@@ -379,25 +379,25 @@ class CursorPlot(QuietPlot):
         self.scene().sigMouseClicked.connect(self._clicked)
 
     def own_key(self, event: QKeyEvent) -> bool:
-        """Take the cursor away by Esc."""
+        """Remove the cursor by Esc."""
         if event.key() != Qt.Key.Key_Escape:
             return super().own_key(event)
         self._pointed(None)
         return True
 
     def cursor_text(self, at: float) -> str:
-        """Return what stands at the cursor."""
+        """Return the text at the cursor."""
         return grouped(round(at))
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint what lies before the curves, and where the cursor is."""
+        """Paint the marks before the curves, and the cursor."""
         super().drawForeground(painter, rect)
         if self.cursor_line.isVisible() and not self.instead:
             at = self.cursor_line.value()
             paint_cursor(painter, self._frame(), at, self.cursor_text(at), self.theme)
 
     def show_cursor(self, at: float | None) -> None:
-        """Put the cursor somewhere, or take it away."""
+        """Put the cursor at a value of x, or remove it."""
         self.cursor_line.setVisible(at is not None)
         if at is not None:
             self.cursor_line.setValue(at)

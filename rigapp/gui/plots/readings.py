@@ -1,4 +1,4 @@
-"""Two cursors on a plot: where they are, what each curve is there, and the difference."""
+"""Two cursors on a plot: their places, the values of each curve there, and the difference."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from rigapp.presentation.numbers import UNKNOWN, true_minus
 from rigapp.presentation.translation import tr
 
 MOST_CURVES = 4
-"""Of a plot that are read at the cursors: more would cover what they are read from."""
+"""Curves that are read at the cursors: a longer table would cover the plot."""
 SMALL_STEP, LARGE_STEP = 1.0 / 200.0, 1.0 / 20.0
-"""By which a key moves a cursor, of what is seen."""
+"""By which a key moves a cursor, shares of the visible range."""
 FIRST_AT, SECOND_AT = 1.0 / 3.0, 2.0 / 3.0
-"""Where the cursors begin, of what is seen."""
+"""First places of the cursors, shares of the visible range."""
 
 
 class PlottedCurve(Protocol):
@@ -28,12 +28,12 @@ class PlottedCurve(Protocol):
 
     @property
     def x(self) -> Floats:
-        """Return the places across."""
+        """Return the x values."""
         ...
 
     @property
     def y(self) -> Floats:
-        """Return the values."""
+        """Return the y values."""
         ...
 
 
@@ -51,7 +51,7 @@ NamedCurve = tuple[str, PlottedCurve]
 def named_curves(
     drawn: Iterable[tuple[PlottedCurve, LinePen | None]], names: Sequence[CurveName]
 ) -> Iterator[NamedCurve]:
-    """Yield the curves that are drawn, each with its name, or the number that it has.
+    """Yield the curves that are drawn, each with its name, or its number.
 
     A name belongs to the curve of its pen that ends nearest to it.
     """
@@ -60,8 +60,8 @@ def named_curves(
             continue
         known = trace.y[np.isfinite(trace.y)]
         end = float(known[-1]) if len(known) else math.nan
-        own = [one for one in names if one.pen == pen]
-        nearest = min(own, key=lambda one: abs(one.at - end), default=None)
+        own = [name for name in names if name.pen == pen]
+        nearest = min(own, key=lambda name: abs(name.at - end), default=None)
         yield nearest.text if nearest is not None else tr("curve {}", number), trace
 
 
@@ -90,12 +90,12 @@ class CursorPair:
         self.places[self.chosen] = at
 
     def show(self, low: float, high: float) -> None:
-        """Put both where they can be seen."""
+        """Put both where they are visible."""
         self.places = [low + share * (high - low) for share in (FIRST_AT, SECOND_AT)]
         self.chosen = 1
 
     def choose(self, number: int, low: float, high: float) -> None:
-        """Let keys move cursor 0 or 1; both are put down where they are not yet."""
+        """Choose cursor 0 or 1; put both if there are none."""
         if len(self.places) < 2:
             self.show(low, high)
         self.chosen = number
@@ -106,7 +106,7 @@ class CursorPair:
             self.places[self.chosen] += by
 
     def clear(self) -> None:
-        """Take both away."""
+        """Remove both."""
         self.places, self.chosen = [], 0
 
 
@@ -118,8 +118,8 @@ def readout(pair: CursorPair, across: str, curves: Iterable[NamedCurve]) -> list
     rows = [["", *(str(number + 1) for number in range(len(pair.places)))]]
     read = [(across, list(pair.places))]
     top = dict(curves)  # of curves with one name the last one, on top
-    for name, one in list(reversed(top.items()))[:MOST_CURVES]:
-        read.append((name, [value_at(one, at) for at in pair.places]))
+    for name, curve in list(reversed(top.items()))[:MOST_CURVES]:
+        read.append((name, [value_at(curve, at) for at in pair.places]))
     for name, values in read:
         rows.append([name, *map(_number, values)])
     if len(pair.places) == 2:

@@ -28,7 +28,7 @@ NOTHING: Final[Text] = "Choose a study: its points are drawn here."
 LEAST_LETTERS = 16
 """Of a choice in a narrow window."""
 MOST_NAMES = 6
-"""Texts at an axis; more would stand over each other."""
+"""Texts at an axis; more would overlap."""
 ROOM = 0.03
 """Of the width beside the first and the last point."""
 
@@ -39,14 +39,14 @@ def with_unit(words: str, unit: str) -> str:
     return f"{words} ({unit})" if unit else words
 
 
-def result_title(one: StudyColumn) -> str:
-    """Return what a result is, in the language of the window, with its unit."""
-    words = translate(one.words) or one.name
-    return with_unit(capitalised(words), one.unit)
+def result_title(result: StudyColumn) -> str:
+    """Return the title of a result in the language of the window, with its unit."""
+    words = translate(result.words) or result.name
+    return with_unit(capitalised(words), result.unit)
 
 
 class StudyPlot(PlotPanel):
-    """Draw the chosen result against the chosen parameter, and say its range."""
+    """Draw the chosen result against the chosen parameter, and show its range."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__("study_plot_panel", "Points of the study")
@@ -69,17 +69,17 @@ class StudyPlot(PlotPanel):
     @property
     def column(self) -> StudyColumn | None:
         """Return the result that is drawn."""
-        at = self.result.currentIndex()
-        return None if self._study is None or at < 0 else self._study.results[at]
+        index = self.result.currentIndex()
+        return None if self._study is None or index < 0 else self._study.results[index]
 
     def show_study(self, study: StudyResults | None) -> None:
-        """Offer what a study varied and found; what was chosen stays, where it has that too."""
+        """List parameters and results of a study; the choice stays where it has that, too."""
         self._study = study
         results = study.results if study is not None else ()
         parameters = study.parameters if study is not None else ()
         for box, items in (
-            (self.result, [(result_title(one), one.name) for one in results]),
-            (self.parameter, [(one.name, one.name) for one in parameters]),
+            (self.result, [(result_title(result), result.name) for result in results]),
+            (self.parameter, [(parameter.name, parameter.name) for parameter in parameters]),
         ):
             chosen = box.currentData()
             box.blockSignals(True)
@@ -101,12 +101,12 @@ class StudyPlot(PlotPanel):
             self.parameter.blockSignals(False)
 
     def _draw(self) -> None:
-        at, result = self.parameter.currentIndex(), self.column
-        if self._study is None or result is None or at < 0:
-            said = translate(self._study.reason) if self._study is not None else ""
-            self._show_nothing(said or tr(NOTHING))
+        index, result = self.parameter.currentIndex(), self.column
+        if self._study is None or result is None or index < 0:
+            sentence = translate(self._study.reason) if self._study is not None else ""
+            self._show_nothing(sentence or tr(NOTHING))
             return
-        against = self._study.parameters[at]
+        against = self._study.parameters[index]
         known = result.values[np.isfinite(result.values)]
         if not known.size:
             self._show_nothing(tr("No point has this result."))
@@ -132,9 +132,9 @@ class StudyPlot(PlotPanel):
 
 
 def _names(texts: Sequence[str]) -> list[str]:
-    """Return what stands at the places of texts, of files their names; only some where many are."""
+    """Return the texts of an axis, of paths the file names; only some where there are many."""
     apart = math.ceil(len(texts) / MOST_NAMES)
-    return [PurePath(one).name if at % apart == 0 else "" for at, one in enumerate(texts)]
+    return [PurePath(text).name if index % apart == 0 else "" for index, text in enumerate(texts)]
 
 
 def _short(number: float) -> str:

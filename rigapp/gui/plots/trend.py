@@ -38,7 +38,7 @@ from rigapp.viewer.series import LiveData, SeriesTable
 BUCKETS = 1200
 """Points of a line across, at most: about one for each pixel of a plot on a wide screen."""
 FLAGGED = LinePen("muted")
-"""How the value of a revolution is written that does not range the axis."""
+"""The pen of the value of a flagged revolution, which does not range the axis."""
 BAND_BUCKETS = 240
 """Of a band: its edges change slowly, and each point is a corner to fill."""
 
@@ -72,7 +72,7 @@ class TrendPlot(CursorPlot):
 
 @dataclass(slots=True)
 class _Curve:
-    """A line on the plot: what it is of, its curve, and the band of its uncertainty."""
+    """A line on the plot: its quantity, its curve, and the band of its uncertainty."""
 
     line: TrendLine
     predicted: bool
@@ -135,10 +135,10 @@ class TrendPanel(PlotPanel):
         column(head, (self.plot, 1), on=self)
 
     def _mode_button(self, prefix: str, mode: str, text: Text, spoken: Text) -> QPushButton:
-        made = button(f"{prefix}_trend_{mode}", text, None, spoken, checkable=True)
-        made.setChecked(mode == self.view.mode)
-        made.clicked.connect(lambda: self.view.show(mode))
-        return made
+        mode_button = button(f"{prefix}_trend_{mode}", text, None, spoken, checkable=True)
+        mode_button.setChecked(mode == self.view.mode)
+        mode_button.clicked.connect(lambda: self.view.show(mode))
+        return mode_button
 
     @property
     def quantity(self) -> TrendQuantity:
@@ -166,12 +166,12 @@ class TrendPanel(PlotPanel):
         self._drawn = token
         buckets = min(max(self.plot.width(), 200), BUCKETS)
         flagged = Flagged(data.rows, view, buckets)
-        found = [(curve, self._draw(curve, data, view, flagged, buckets)) for curve in self._curves]
-        extremes = [one for _, one in found if np.isfinite(one.low)]
-        low = min((one.low for one in extremes), default=np.nan)
-        high = max((one.high for one in extremes), default=np.nan)
+        lines = [(curve, self._draw(curve, data, view, flagged, buckets)) for curve in self._curves]
+        extremes = [line for _, line in lines if np.isfinite(line.low)]
+        low = min((line.low for line in extremes), default=np.nan)
+        high = max((line.high for line in extremes), default=np.nan)
         self.plot.fit(low, high)
-        self._show_marks(news, found)
+        self._show_marks(news, lines)
         if not extremes and (self.view.mode != FREE or not len(data.rows)):
             self.plot.empty(self._nothing(len(data.rows)))
 
@@ -181,17 +181,17 @@ class TrendPanel(PlotPanel):
         """Draw a line with its band; return its points in the unit of the quantity."""
         table = data.predictions if curve.predicted else data.rows
         line, scale = curve.line, self.quantity.scale
-        found = drawn(table, line.column, flagged, view, buckets, scale)
-        curve.trace.setData(found.x, found.y)
+        points = drawn(table, line.column, flagged, view, buckets, scale)
+        curve.trace.setData(points.x, points.y)
         if curve.band is not None:
             curve.band.setData(*banded(table, line.column, line.doubt, view, BAND_BUCKETS, scale))
-        return found
+        return points
 
-    def _show_marks(self, news: News, found: list[tuple[_Curve, Drawn]]) -> None:
+    def _show_marks(self, news: News, lines: list[tuple[_Curve, Drawn]]) -> None:
         names, texts, spots = [], [], []
         low, high = self.plot.viewRange()[1]
         both = bool(self.quantity.predicted and self.quantity.measured)
-        for curve, one in found:
+        for curve, points in lines:
             line, pen = curve.line, self._pen(curve.line, predicted=curve.predicted)
             table = news.data.predictions if curve.predicted else news.data.rows
             value = self.quantity.scale * self._value(table, line.column)
@@ -203,13 +203,13 @@ class TrendPanel(PlotPanel):
                 elif self.view.cursor is not None:
                     texts.append(tr("model {}", text))
             if curve.predicted and both and line is self.quantity.predicted[0]:
-                last = one.y[-1] if len(one.y) else np.nan
+                last = points.y[-1] if len(points.y) else np.nan
                 if np.isfinite(last):
                     model = tr("model ± U") if curve.band else tr("model")
                     names.append(CurveName(model, pen, last))
             spots += [
                 Spot(*at, f"{at[1]:.4g} {self.quantity.unit}", FLAGGED)
-                for at in (one.above, one.under)
+                for at in (points.above, points.under)
                 if at is not None and not low <= at[1] <= high
             ]
         columns = {line.column for line in (*self.quantity.measured, *self.quantity.predicted)}
@@ -232,7 +232,7 @@ class TrendPanel(PlotPanel):
         return tr("No value yet of {}, which the model beside the test tells.", title)
 
     def _offer(self, table: ChannelTable) -> None:
-        """Offer what a table has; what was chosen stays, where it is still there."""
+        """List the quantities of a table; the choice stays where it is still there."""
         self._channels, self._quantities = table, trend_quantities(table)
         chosen = self._name if self._name in self._quantities else SIZE
         self.choice.blockSignals(True)
@@ -243,7 +243,7 @@ class TrendPanel(PlotPanel):
         self._quantity_chosen()
 
     def _list_quantities(self) -> None:
-        titles = {name: one.title for name, one in self._quantities.items()}
+        titles = {name: quantity.title for name, quantity in self._quantities.items()}
         for names in grouped_quantities(titles, self._channels):
             add_group(self.choice, {name: titles[name] for name in names})
 
@@ -251,10 +251,10 @@ class TrendPanel(PlotPanel):
         cursor = self.view.cursor
         if cursor is None or not len(table):
             return table.last(column)
-        place = table.revolutions.searchsorted(cursor)
-        if place >= len(table) or table.revolutions[place] != cursor:
+        index = table.revolutions.searchsorted(cursor)
+        if index >= len(table) or table.revolutions[index] != cursor:
             return float("nan")
-        return table.at(column, place)
+        return table.at(column, index)
 
     def _written(self, value: float, table: SeriesTable, line: TrendLine) -> str:
         """Return a value with its unit, and its uncertainty or its age where one is known."""
@@ -276,8 +276,8 @@ class TrendPanel(PlotPanel):
 
     def _view_changed(self) -> None:
         """Follow the view that the panels of a page share."""
-        for name, one in self.modes.items():
-            one.setChecked(name == self.view.mode)
+        for name, control in self.modes.items():
+            control.setChecked(name == self.view.mode)
         self.plot.show_cursor(self.view.cursor)
         self._drawn = ()
         data = None if self._data is None else self._data()
@@ -290,16 +290,16 @@ class TrendPanel(PlotPanel):
         self._make_curves()
 
     def _make_curves(self) -> None:
-        for one in self._curves:
-            self.plot.take_out(one.trace)
-            if one.band is not None:
-                self.plot.take_out(one.band)
+        for curve in self._curves:
+            self.plot.take_out(curve.trace)
+            if curve.band is not None:
+                self.plot.take_out(curve.band)
         lines = [(line, False) for line in self.quantity.measured]
         lines += [(line, True) for line in self.quantity.predicted]
         self._curves = []
         for line, predicted in lines:
             pen = self._pen(line, predicted=predicted)
-            # Measured lines of a quantity that is predicted, too, have no uncertainty of their own.
+            # Measured lines of a quantity that is predicted, too, have no separate uncertainty.
             shaded = line.doubt and (predicted or not self.quantity.predicted)
             band = self.plot.shade(pen) if shaded else None
             self._curves.append(_Curve(line, predicted, self.plot.curve(pen), band))

@@ -1,4 +1,4 @@
-"""What the trends of a page share: the cycles that are seen, and the cursor."""
+"""The shared view of the trends of a page: the visible cycles, and the cursor."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ Floats = NDArray[np.float64]
 FOLLOWED = 1000
 """Cycles of the view of the last ones: a quarter of an hour at 60 rpm."""
 STEPS = 10
-"""Of the axis: so often it moves while it is filled, and not at every cycle."""
+"""Of the axis: it moves so often while it is filled, and not at every cycle."""
 WHOLE, LAST, FREE = "whole", "last", "free"
 
 
 class TrendView:
-    """Keep the trends of a page at the same cycles; ``changed`` are told of every move."""
+    """The visible cycles of the trends of a page; ``changed`` are called at every move."""
 
     def __init__(self) -> None:
         self.mode = WHOLE
@@ -33,22 +33,22 @@ class TrendView:
     def show(self, mode: str) -> None:
         """Show the whole test, or follow the last cycles."""
         self.mode = mode
-        self._tell()
+        self._notify()
 
     def move(self, low: float, high: float) -> None:
-        """Show the cycles that somebody has chosen by hand."""
+        """Show cycles chosen by hand."""
         self.mode, self._free = FREE, (low, high)
-        self._tell()
+        self._notify()
 
     def point_at(self, cycle: float | None) -> None:
         """Put the cursor at a cycle; None takes it away."""
         self.cursor = None if cycle is None else float(round(cycle))
-        self._tell()
+        self._notify()
 
     def start_afresh(self) -> None:
         """Show the whole of another test, without a cursor."""
         self.mode, self.cursor = WHOLE, None
-        self._tell()
+        self._notify()
 
     def range_of(self, known: Floats | RowNumbers) -> tuple[float, float] | None:
         """Return the cycles to show of the known ones, None where nothing is to be shown yet."""
@@ -64,6 +64,6 @@ class TrendView:
         step = nice_step(max(last - first, 10.0), STEPS)
         return first, float(first + step * np.ceil((last - first + 1) / step))
 
-    def _tell(self) -> None:
-        for told in self.changed:
-            told()
+    def _notify(self) -> None:
+        for follow in self.changed:
+            follow()

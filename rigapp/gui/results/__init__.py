@@ -1,1 +1,1 @@
-"""Recorded tests: a folder read by another process, what a test came to, and its documents."""
+"""Recorded tests: a folder read by another process, the result of a test, and its documents."""

@@ -19,20 +19,20 @@ from rigapp.process.children import Child, module_command
 TIMEOUT_MS = 300_000
 """A report that takes longer has hung: that of 10^7 revolutions takes about a minute."""
 
-Said = Callable[[str, bool], None]
+Say = Callable[[str, bool], None]
 Launch = Callable[[Sequence[str]], None]
 
 
 @dataclass(frozen=True, slots=True)
 class DocumentKind:
-    """A kind of document: the end of its name, what it is, and the command that writes it."""
+    """A kind of document: the end of its name, its title, and the command that writes it."""
 
     ending: str
     title: Text
     verb: str
 
     def of(self, test: Path) -> Path:
-        """Return where the document of a test stands: beside it."""
+        """Return the path of the document of a test: beside it."""
         return test.with_suffix(self.ending)
 
 
@@ -46,25 +46,25 @@ KINDS = (
 
 
 def launch_process(arguments: Sequence[str], folder: Path | None = None) -> None:
-    """Start another rigapp on its own, which lives on when this window closes.
+    """Start another rigapp, which continues to run when this window closes.
 
-    folder: to work in, this window's own without one.
+    folder: its working folder, by default this window's.
     """
     Child("rigapp", *arguments, folder=folder).leave()
 
 
 def open_document(path: Path) -> bool:
-    """Show a document with the program that the desktop has for it; tell whether there is one."""
+    """Show a document with the desktop's program for it; return whether there is one."""
     return QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
 
 
 class DocumentPanel(QWidget):
     """A line for each kind of document: write it, open it."""
 
-    def __init__(self, name: str, said: Said, show: Callable[[Path], bool] = open_document) -> None:
+    def __init__(self, name: str, say: Say, show: Callable[[Path], bool] = open_document) -> None:
         super().__init__()
         named(self, f"{name}_documents", "Reports and tables of the test")
-        self._said = said
+        self._say = say
         self._show = show
         self._test: Path | None = None
         self._writing: dict[Path, QProcess] = {}
@@ -75,7 +75,7 @@ class DocumentPanel(QWidget):
         grid.setHorizontalSpacing(STEP)
         grid.setVerticalSpacing(STEP)
         grid.setColumnStretch(0, 1)
-        for at, kind in enumerate(KINDS):
+        for row, kind in enumerate(KINDS):
             word = kind.ending[1:]
             self.write[word] = button(
                 f"{name}_write_{word}",
@@ -90,9 +90,9 @@ class DocumentPanel(QWidget):
                 partial(self._open, kind),
                 tr("Open {}", tr(kind.title)),
             )
-            grid.addWidget(QLabel(tr(kind.title)), at, 0)
-            grid.addWidget(self.write[word], at, 1)
-            grid.addWidget(self.open[word], at, 2)
+            grid.addWidget(QLabel(tr(kind.title)), row, 0)
+            grid.addWidget(self.write[word], row, 1)
+            grid.addWidget(self.open[word], row, 2)
         self.show_test(None)
 
     def show_test(self, test: Path | None) -> None:
@@ -103,13 +103,13 @@ class DocumentPanel(QWidget):
             busy = target in self._writing
             self.write[word].setText(tr("Writing …") if busy else tr("Write"))
             self.write[word].setEnabled(target is not None and not busy)
-            there = target is not None and not busy and target.exists()
-            self.open[word].setEnabled(there)
+            exists = target is not None and not busy and target.exists()
+            self.open[word].setEnabled(exists)
             missing = tr("{} is not written yet", tr(kind.title))
-            self.open[word].setToolTip(str(target) if there else missing)
+            self.open[word].setToolTip(str(target) if exists else missing)
 
     def begin(self, kind: DocumentKind) -> None:
-        """Write a document of the test that is shown; one that stands there is replaced."""
+        """Write a document of the shown test; an existing one is replaced."""
         test = self._test
         if test is None or kind.of(test) in self._writing:
             return
@@ -123,7 +123,7 @@ class DocumentPanel(QWidget):
         limit.start()
         program, *arguments = module_command("rigapp", kind.verb, test, "--to", target)
         process.start(program, arguments)
-        self._said(tr("Writing {} …", target.name), True)
+        self._say(tr("Writing {} …", target.name), True)
         self.show_test(test)
 
     def _failed(self, kind: DocumentKind, test: Path, error: QProcess.ProcessError) -> None:
@@ -134,11 +134,11 @@ class DocumentPanel(QWidget):
         target = kind.of(test)
         process = self._writing.pop(target)
         if status == 0 and process.exitStatus() is QProcess.ExitStatus.NormalExit:
-            self._said(tr("{} is in {}", tr(kind.title), target), True)
+            self._say(tr("{} is in {}", tr(kind.title), target), True)
         else:
-            told = bytes(process.readAllStandardError().data()).decode(errors="replace").strip()
-            why = told.splitlines()[-1] if told else process.errorString()
-            self._said(tr("{} is not written: {}", target.name, why), False)
+            output = bytes(process.readAllStandardError().data()).decode(errors="replace").strip()
+            why = output.splitlines()[-1] if output else process.errorString()
+            self._say(tr("{} is not written: {}", target.name, why), False)
         process.deleteLater()
         self.show_test(self._test)
 
@@ -146,4 +146,4 @@ class DocumentPanel(QWidget):
         if self._test is not None and not self._show(kind.of(self._test)):
             target = kind.of(self._test)
             none = tr("The desktop has no program for {}; it is in {}", target.suffix, target)
-            self._said(none, False)
+            self._say(none, False)

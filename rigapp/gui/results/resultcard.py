@@ -1,4 +1,4 @@
-"""A card that says how a test ended, what it came to, and whether that can be trusted."""
+"""A card with how a test ended, its results, and whether these can be trusted."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ SHAPES = {
     HowEnded.RUNNING: Icon.START,
     HowEnded.NOT_READABLE: Icon.UNREADABLE,
 }
-"""The shape of each outcome: it is told without its colour."""
+"""The shape of each outcome, which is told apart without colour."""
 
 FAILED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
 MOST_TRUST = 6
@@ -55,16 +55,16 @@ def colour_of(outcome: HowEnded, theme: Theme) -> str:
 
 
 class NumberTile(QWidget):
-    """A caption, a number, and a line that says what it rests on."""
+    """A caption, a number, and a line about its basis."""
 
-    def __init__(self, name: str, place: int) -> None:
+    def __init__(self, name: str, number: int) -> None:
         super().__init__()
-        named(self, f"{name}_number_{place}", "Number of the result")
+        named(self, f"{name}_number_{number}", "Number of the result")
         small = sized(self.font(), CAPTION_PT)
-        self.caption = prose(f"{name}_caption_{place}", "What the number is")
+        self.caption = prose(f"{name}_caption_{number}", "What the number is")
         bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
-        self.value = FittedLabel(f"{name}_value_{place}", "Value", bold)
-        self.line = prose(f"{name}_line_{place}", "What it rests on")
+        self.value = FittedLabel(f"{name}_value_{number}", "Value", bold)
+        self.line = prose(f"{name}_line_{number}", "What it rests on")
         for label in (self.caption, self.line):
             label.setFont(small)
             label.setProperty("role", "caption")
@@ -79,24 +79,24 @@ class NumberTile(QWidget):
 
 
 class TrustRow(QWidget):
-    """A tick or a warning sign, what it is about, and how it stands."""
+    """A tick or a warning sign, its subject, and its state."""
 
-    def __init__(self, name: str, place: int) -> None:
+    def __init__(self, name: str, number: int) -> None:
         super().__init__()
-        named(self, f"{name}_trust_{place}", "Whether the result can be trusted")
-        self.text = prose(f"{name}_trust_text_{place}", "What was looked at")
-        self.line = prose(f"{name}_trust_line_{place}", "How it stands")
+        named(self, f"{name}_trust_{number}", "Whether the result can be trusted")
+        self.text = prose(f"{name}_trust_text_{number}", "What was looked at")
+        self.line = prose(f"{name}_trust_line_{number}", "How it stands")
         self.sign = signed(SMALL, self.text, self.line, self)
 
     def show_line(self, line: TrustLine, theme: Theme) -> None:
         """Show a line."""
         self.text.setText(tr(line.text))
         self.line.setText(tr(line.line))
-        made = icon(
+        sign = icon(
             Icon.FINE if line.good else Icon.WARNING,
             theme.secondary if line.good else theme.warning_text,
         )
-        self.sign.setPixmap(made.pixmap(SMALL))
+        self.sign.setPixmap(sign.pixmap(SMALL))
         self.sign.setAccessibleName(tr("good") if line.good else tr("mind"))
 
 
@@ -117,8 +117,8 @@ class ResultCard(QFrame):
         )
         self.reason = prose(f"{name}_reason", "Why the test ended")
         self.origin = prose(f"{name}_origin", "Specimen, cycles and times", role="caption")
-        self.numbers = [NumberTile(name, place) for place in range(4)]
-        self.trust = [TrustRow(name, place) for place in range(MOST_TRUST)]
+        self.numbers = [NumberTile(name, number) for number in range(4)]
+        self.trust = [TrustRow(name, number) for number in range(MOST_TRUST)]
         self.file = ElidedLabel(f"{name}_file", "File of the test")
         self.file.setFont(sized(self.font(), BODY_PT, QFont.Weight.DemiBold))
         self.about = prose(f"{name}_about", "What the file holds", role="caption")
@@ -132,9 +132,9 @@ class ResultCard(QFrame):
         head.setAlignment(self.shape, Qt.AlignmentFlag.AlignTop)
         grid = WrappingGrid(NUMBER_WIDTH, across)
         trust = WrappingGrid(NUMBER_WIDTH, across if across > 2 else 1)
-        for made, parts in ((grid, self.numbers), (trust, self.trust)):
-            for one in parts:
-                made.addWidget(one)
+        for layout, parts in ((grid, self.numbers), (trust, self.trust)):
+            for part in parts:
+                layout.addWidget(part)
         column(grid, trust, column(self.file, self.about), on=self._body, spacing=GAP)
         column(head, self._body, on=self, margins=(MARGIN, MARGIN, MARGIN, GAP), spacing=MARGIN)
 
@@ -159,18 +159,18 @@ class ResultCard(QFrame):
         self.headline.setVisible(True)
         self.headline.show_text(outcome_text(result))
         self.headline.setStyleSheet(f"color: {colour_of(outcome, self._theme)};")
-        made = icon(SHAPES[outcome], colour_of(outcome, self._theme))
-        self.shape.setPixmap(made.pixmap(SHAPE))
+        shape = icon(SHAPES[outcome], colour_of(outcome, self._theme))
+        self.shape.setPixmap(shape.pixmap(SHAPE))
         self.shape.setAccessibleDescription(tr(outcome.value))
         self.reason.setText(reason_of(result))
         self.origin.setText(origin_of(result))
         for tile, number in zip(self.numbers, key_numbers(result), strict=True):
             tile.show_number(number)
         lines = list(trust_lines(result))[: len(self.trust)]
-        for place, shown in enumerate(self.trust):
-            shown.setVisible(place < len(lines))
-            if place < len(lines):
-                shown.show_line(lines[place], self._theme)
+        for index, line in enumerate(self.trust):
+            line.setVisible(index < len(lines))
+            if index < len(lines):
+                line.show_line(lines[index], self._theme)
         self.file.show_text(Path(result.path).name)
         self.file.setToolTip(result.path)
         self.about.setText(tr(file_line(result)))

@@ -1,4 +1,4 @@
-"""The tests of a folder, read in a process of its own: the screen never waits for a file."""
+"""The tests of a folder, read in their own process: the screen never waits for a file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ WAITING = 64
 TAKEN = 32
 """Results taken at once: putting them into a table takes a few milliseconds."""
 LOOK_S = 0.2
-"""How often a full queue looks whether somebody still wants what is read."""
+"""How often a full queue checks whether its results are still wanted."""
 
 Stamp = tuple[float, int]
 Done = Callable[[TestResult], None]
@@ -35,7 +35,7 @@ class ResultReader:
     def __init__(self, paths: Sequence[Path], *, closely: bool = False) -> None:
         options = ["--closely"] if closely else []
         self._process = Child("rigapp.report.results", *options, pipes=True)
-        self._found: queue.Queue[TestResult] = queue.Queue(WAITING)
+        self._results: queue.Queue[TestResult] = queue.Queue(WAITING)
         self._closed = threading.Event()
         self.problem = ""
         self._thread = threading.Thread(
@@ -46,17 +46,17 @@ class ResultReader:
     @property
     def done(self) -> bool:
         """Tell whether all results were taken, or no more will come."""
-        return not self._thread.is_alive() and self._found.empty()
+        return not self._thread.is_alive() and self._results.empty()
 
     def take(self) -> list[TestResult]:
         """Return what is ready, no more than can be shown at once."""
-        found: list[TestResult] = []
-        while len(found) < TAKEN and not self._found.empty():
-            found.append(self._found.get_nowait())
-        return found
+        results: list[TestResult] = []
+        while len(results) < TAKEN and not self._results.empty():
+            results.append(self._results.get_nowait())
+        return results
 
     def close(self) -> None:
-        """End the process and its thread; what was not taken is forgotten."""
+        """End the process and its thread; results not taken are dropped."""
         self._closed.set()
         self._process.kill()
         self._thread.join(timeout=2.0)
@@ -77,16 +77,16 @@ class ResultReader:
     def _put(self, result: TestResult) -> None:
         while not self._closed.is_set():
             try:
-                self._found.put(result, timeout=LOOK_S)
+                self._results.put(result, timeout=LOOK_S)
             except queue.Full:
                 continue
             return
 
 
 class ResultShelf:
-    """Know the tests of a folder, newest first; a file is read again only when it has changed.
+    """The tests of a folder, newest first; a file is read again only when it has changed.
 
-    ``version`` grows with every change of what is known. ``pump`` is called by whoever shows them.
+    ``version`` grows with every change. What shows the tests calls ``pump`` regularly.
     """
 
     def __init__(self, folder: Path, worker: TaskWorker) -> None:
@@ -99,7 +99,7 @@ class ResultShelf:
         self._known: dict[str, TestResult] = {}
         self._read: dict[str, Stamp] = {}
         self._reader: ResultReader | None = None
-        self._found = 0
+        self._received = 0
         self._documents: list[tuple[ResultReader, Done]] = []
 
     @property
@@ -137,7 +137,7 @@ class ResultShelf:
         self._documents.append((ResultReader([path], closely=True), done))
 
     def pump(self) -> None:
-        """Take what has been read."""
+        """Collect what has been read."""
         for reader, done in list(self._documents):
             for result in reader.take():
                 done(result)
@@ -145,19 +145,19 @@ class ResultShelf:
                 self._documents.remove((reader, done))
         if self._reader is None:
             return
-        found = self._reader.take()
-        for result in found:
+        results = self._reader.take()
+        for result in results:
             self._known[result.path] = result
             self._read[result.path] = self._stamps.get(result.path, (0.0, 0))
-        self._found += len(found)
-        self.version += bool(found)
+        self._received += len(results)
+        self.version += bool(results)
         if self._reader.done:
             why, self._reader = self._reader.problem, None
             self._read_on(why)
 
     def close(self) -> None:
         """End all reading."""
-        for reader in [self._reader, *(one for one, _ in self._documents)]:
+        for reader in (self._reader, *(pair[0] for pair in self._documents)):
             if reader is not None:
                 reader.close()
         self._reader, self._documents = None, []
@@ -169,14 +169,14 @@ class ResultShelf:
             self._stamps = stamps
             self.version += 1
         if self._reader is None:
-            self._found = 1
+            self._received = 1
             self._read_on()
 
     def _read_on(self, why: str = "") -> None:
-        """Read what is not read yet; a reader that found nothing finds nothing the next time."""
+        """Read what is not read yet, unless the last reader returned nothing."""
         left = self.unread
-        if left and self._found:
-            self._reader, self._found = ResultReader([Path(path) for path in left]), 0
+        if left and self._received:
+            self._reader, self._received = ResultReader([Path(path) for path in left]), 0
         elif left:
             self.problem = tr("{} tests in {} cannot be read: {}", len(left), self.folder, why)
             self.version += 1
@@ -188,8 +188,8 @@ class ResultShelf:
 
 
 def _stamps(folder: Path) -> dict[str, Stamp]:
-    found = [(entry.stat(), entry.path) for entry in _tests(folder)]
-    newest = sorted(found, key=lambda one: one[0].st_mtime, reverse=True)
+    tests = [(entry.stat(), entry.path) for entry in _tests(folder)]
+    newest = sorted(tests, key=lambda test: test[0].st_mtime, reverse=True)
     return {path: (about.st_mtime, about.st_size) for about, path in newest}
 
 

@@ -1,4 +1,4 @@
-"""The list of recorded tests: small lines of wear, how each ended, the numbers that matter."""
+"""The list of recorded tests: small lines of wear, how each ended, its main numbers."""
 
 from __future__ import annotations
 
@@ -64,9 +64,9 @@ def _depth(result: TestResult) -> str:
 
 @dataclass(frozen=True, slots=True)
 class ResultColumn:
-    """A column: its heading, its width (0: what is left), what it says, and what sorts it.
+    """A column: heading, width (0: the rest), text of a cell, sorting key.
 
-    rank: what is left out first where there is no room; a short list is without the extra ones.
+    rank: the highest is left out first where there is no room; a short list has no extra ones.
     """
 
     title: Text
@@ -80,23 +80,23 @@ class ResultColumn:
 
 LINE, TEST, ENDED = marked("Wear"), marked("Test"), marked("Ended")
 COLUMNS = (
-    ResultColumn(LINE, 96, lambda _: "", lambda one: one.depth_um, rank=3),
-    ResultColumn(TEST, 0, lambda one: one.title, lambda one: one.title.lower()),
-    ResultColumn("Began", 136, lambda one: day(one.started), lambda one: one.started, rank=1),
-    ResultColumn(ENDED, 176, outcome_text, lambda one: one.outcome.value),
+    ResultColumn(LINE, 96, lambda _: "", lambda test: test.depth_um, rank=3),
+    ResultColumn(TEST, 0, lambda test: test.title, lambda test: test.title.lower()),
+    ResultColumn("Began", 136, lambda test: day(test.started), lambda test: test.started, rank=1),
+    ResultColumn(ENDED, 176, outcome_text, lambda test: test.outcome.value),
     ResultColumn(
         "Cycles",
         64,
-        lambda one: grouped(one.revolutions),
-        lambda one: one.revolutions,
+        lambda test: grouped(test.revolutions),
+        lambda test: test.revolutions,
         right=True,
         rank=EXTRA,
     ),
     ResultColumn(
         "|F| max, N",
         80,
-        lambda one: _number(one.force_max_N),
-        lambda one: one.force_max_N,
+        lambda test: _number(test.force_max_N),
+        lambda test: test.force_max_N,
         right=True,
         rank=EXTRA,
     ),
@@ -104,7 +104,7 @@ COLUMNS = (
         "Depth, µm",
         104,
         _depth,
-        lambda one: one.depth_um,
+        lambda test: test.depth_um,
         right=True,
         rank=1,
         tip="Wear depth by the probes, with its expanded uncertainty (k = 2)",
@@ -112,18 +112,18 @@ COLUMNS = (
     ResultColumn(
         "K, 10⁻⁶",
         72,
-        lambda one: coefficient_number(one.coefficient),
-        lambda one: one.coefficient,
+        lambda test: coefficient_number(test.coefficient),
+        lambda test: test.coefficient,
         right=True,
         rank=2,
         tip="Wear coefficient in 10⁻⁶ mm³/(N m)",
     ),
 )
-TITLES = [one.title for one in COLUMNS]
+TITLES = [column.title for column in COLUMNS]
 
 
 def matches(row: Row, text: str, outcome: str | None) -> bool:
-    """Tell whether a file is wanted: every word of a text in what is known of it, its outcome."""
+    """Tell whether a file has every word of a text in its facts, and the outcome."""
     path, result = row
     if result is None:
         known = Path(path).name
@@ -168,26 +168,26 @@ class ResultModel(QAbstractTableModel):
         return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """Return the text of a cell, the file of a row, or how a cell stands."""
+        """Return the text of a cell, the file of a row, or the alignment of a cell."""
         path, result = self.rows[index.row()]
-        made = COLUMNS[index.column()]
+        column = COLUMNS[index.column()]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            if made.title == TEST:
+            if column.title == TEST:
                 return (result.title if result else "") or Path(path).name
-            return made.text(result) if result else READING
+            return column.text(result) if result else READING
         if role == Qt.ItemDataRole.ToolTipRole:
             return f"{path}\n{translate(result.reason)}" if result else path
-        if role == Qt.ItemDataRole.TextAlignmentRole and made.right:
+        if role == Qt.ItemDataRole.TextAlignmentRole and column.right:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         return None
 
     def show_rows(self, rows: list[Row]) -> bool:
-        """Show rows; return whether others stand there now, or in another order."""
+        """Show rows; return whether they are others than before, or in another order."""
         if [path for path, _ in rows] == [path for path, _ in self.rows]:
             changed = [
-                at
-                for at, row in enumerate(rows)
-                if row is not self.rows[at] and row != self.rows[at]
+                index
+                for index, row in enumerate(rows)
+                if row is not self.rows[index] and row != self.rows[index]
             ]
             self.rows = rows
             if changed:
@@ -235,7 +235,7 @@ class ResultDelegate(QStyledItemDelegate):
         painter.restore()
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        """Return a size that does not depend on what the cell says."""
+        """Return a size that does not depend on the cell's text."""
         return QSize(COLUMNS[index.column()].width, ROW_HEIGHT)
 
     def _paint_test(
@@ -243,7 +243,7 @@ class ResultDelegate(QStyledItemDelegate):
     ) -> None:
         name = Path(path).name
         title = (result.title if result else "") or name
-        below = "  ·  ".join(one for one in ((result.specimen if result else ""), name) if one)
+        below = "  ·  ".join(part for part in ((result.specimen if result else ""), name) if part)
         half = room.height() / 2.0
         for text, font, colour, top, side in (
             (title, self._bold, self.theme.text, room.top(), Qt.AlignmentFlag.AlignBottom),
@@ -311,8 +311,8 @@ class ResultTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
         header = self.horizontalHeader()
         header.setHighlightSections(False)
-        for at, made in enumerate(COLUMNS):
-            header.resizeSection(at, max(made.width, header.sectionSizeHint(at)))
+        for index, column in enumerate(COLUMNS):
+            header.resizeSection(index, max(column.width, header.sectionSizeHint(index)))
         header.setSectionResizeMode(TITLES.index(TEST), QHeaderView.ResizeMode.Stretch)
         header.setSectionsClickable(not most)
         header.sectionClicked.connect(self.sort_by)
@@ -320,20 +320,20 @@ class ResultTable(QTableView):
         self.doubleClicked.connect(lambda index: self.opened.emit(self.rows.rows[index.row()][0]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out columns for which there is no room: the card of a chosen test has them all."""
+        """Hide columns for which there is no room: the card of a chosen test has them all."""
         super().resizeEvent(event)
         header = self.horizontalHeader()
         left = self.viewport().width() - TEST_WIDTH
-        for at in sorted(range(len(COLUMNS)), key=lambda at: COLUMNS[at].rank):
+        for index in sorted(range(len(COLUMNS)), key=lambda index: COLUMNS[index].rank):
             wide = (
                 0
-                if COLUMNS[at].title == TEST
-                else max(COLUMNS[at].width, header.sectionSizeHint(at))
+                if COLUMNS[index].title == TEST
+                else max(COLUMNS[index].width, header.sectionSizeHint(index))
             )
-            hidden = wide > left or (bool(self._most) and COLUMNS[at].rank == EXTRA)
+            hidden = wide > left or (bool(self._most) and COLUMNS[index].rank == EXTRA)
             left -= 0 if hidden else wide
-            if self.isColumnHidden(at) != hidden:
-                self.setColumnHidden(at, hidden)
+            if self.isColumnHidden(index) != hidden:
+                self.setColumnHidden(index, hidden)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -358,7 +358,7 @@ class ResultTable(QTableView):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show what the shelf knows now; what is chosen stays chosen."""
+        """Show the present rows of the shelf; the choice stays."""
         rows = [(path, self._shelf.result(path)) for path in self._shelf.paths]
         rows = [row for row in rows if matches(row, *self._wanted)]
         if self._sorted is not None:
@@ -371,9 +371,9 @@ class ResultTable(QTableView):
         """Return rows sorted, what is not known last."""
         key = COLUMNS[column].key
         known = [row for row in rows if row[1] is not None and key(row[1]) == key(row[1])]
-        gone = {path for path, _ in known}
+        known_paths = {path for path, _ in known}
         known.sort(key=lambda row: key(row[1]), reverse=order is DESCENDING)  # type: ignore[arg-type]
-        return known + [row for row in rows if row[0] not in gone]
+        return known + [row for row in rows if row[0] not in known_paths]
 
     def chosen_paths(self) -> list[str]:
         """Return the chosen files in the order in which they are shown."""
@@ -384,9 +384,9 @@ class ResultTable(QTableView):
         """Choose files."""
         self.clearSelection()
         model, flag = self.selectionModel(), self.selectionModel().SelectionFlag
-        for at, (path, _) in enumerate(self.rows.rows):
+        for index, (path, _) in enumerate(self.rows.rows):
             if path in paths:
-                model.select(self.rows.index(at, 0), flag.Select | flag.Rows)
+                model.select(self.rows.index(index, 0), flag.Select | flag.Rows)
 
     def keyPressEvent(self, event: Any) -> None:
         """Enter opens the chosen test."""

@@ -1,1 +1,1 @@
-"""The page of settings: each of them once, in a card with its like."""
+"""The page of settings: one card for each kind."""

@@ -1,4 +1,4 @@
-"""Who is told when nobody looks: the ways of rig and user, a test of them, one more way."""
+"""The notification channels of rig and user: list them, test them, add and remove one."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ WORDS: Final[dict[str, Text]] = {
     "disk": "full disk",
     "daily": "daily summary",
 }
-"""What a way may tell of, in the order of the choices."""
+"""Occasions of messages, in the order of the choices."""
 NOBODY: Final[Text] = "Nobody is told. Add a way: a URL as in mailtos:// or json://."
 COUNTS: Final[Text] = "A new way counts when the engine is started again."
 TABLE_HEIGHT = 13 * STEP
 
 
 class MessageCard(QWidget):
-    """List the ways, try them, add and remove those of the user's own file."""
+    """List the ways, test them, add and remove those of the user's file."""
 
     def __init__(
         self, worker: TaskWorker, rig: Path | None, say: Callable[[str, bool], None]
@@ -55,23 +55,23 @@ class MessageCard(QWidget):
         )
         self.table.setMinimumHeight(TABLE_HEIGHT)
         self.table.itemSelectionChanged.connect(self._enable)
-        self.told = prose("ways_told", "What became of it", role="caption")
+        self.message = prose("ways_told", "What became of it", role="caption")
         self.test = button("ways_test", "Send a test &message", self._test)
         tip: Text = "Remove the chosen way; those of the rig file stand there"
         self.remove = button("way_remove", "Remove", self._remove, "Remove the chosen way", tip=tip)
         self.name = edit("way_name", "Name of a new way", self._enable, hint="Name")
         self.url = edit("way_url", "Where a new way leads", self._enable, hint="URL")
         self.when = {
-            one: named(QCheckBox(tr(WORDS[one])), f"way_when_{one}", WORDS[one])
-            for one in get_args(When)
+            kind: named(QCheckBox(tr(WORDS[kind])), f"way_when_{kind}", WORDS[kind])
+            for kind in get_args(When)
         }
-        for one in NotifySection().when:
-            self.when[one].setChecked(True)
+        for kind in NotifySection().when:
+            self.when[kind].setChecked(True)
         self.add = button("way_add", "Add", self._add, "Add the way")
         column(
             (self.table, 1),
             flowing(self.test, self.remove, None),
-            self.told,
+            self.message,
             flowing("New way", (self.name, 1), (self.url, 2), self.add),
             flowing(*self.when.values()),
             on=self,
@@ -95,16 +95,16 @@ class MessageCard(QWidget):
         self._ways = ways
         self.table.show_rows(
             [
-                (one.name, one.leads_to, ", ".join(tr(WORDS[when]) for when in one.when))
-                for one in ways
+                (way.name, way.leads_to, ", ".join(tr(WORDS[when]) for when in way.when))
+                for way in ways
             ]
         )
         if not ways:
-            self.told.setText(tr(NOBODY))
+            self.message.setText(tr(NOBODY))
         self._enable()
 
     def _fail(self, error: Exception) -> None:
-        self.told.setText(error_text(error, "The ways cannot be read."))
+        self.message.setText(error_text(error, "The ways cannot be read."))
 
     def _enable(self) -> None:
         chosen = self.table.chosen_of(self._ways)
@@ -115,16 +115,16 @@ class MessageCard(QWidget):
     def _add(self) -> None:
         from rigapp.notify.channels import add_way
 
-        when = tuple(one for one, box in self.when.items() if box.isChecked())
+        when = tuple(kind for kind, box in self.when.items() if box.isChecked())
         way = NotifySection(url=self.url.text().strip(), name=self.name.text().strip(), when=when)
         try:
             add_way(way)
         except UnusableInput as error:
-            self.told.setText(translate(error_text(error, "The way cannot be added.")))
+            self.message.setText(translate(error_text(error, "The way cannot be added.")))
             return
         self.name.clear()
         self.url.clear()
-        self.told.setText(tr(COUNTS))
+        self.message.setText(tr(COUNTS))
         self.look()
 
     def _remove(self) -> None:
@@ -136,22 +136,22 @@ class MessageCard(QWidget):
         try:
             remove_way(chosen.name)
         except UnusableInput as error:
-            self.told.setText(translate(error_text(error, "The way cannot be removed.")))
+            self.message.setText(translate(error_text(error, "The way cannot be removed.")))
             return
-        self.told.setText(tr(COUNTS))
+        self.message.setText(tr(COUNTS))
         self.look()
 
     def _test(self) -> None:
         rig = ["--rig", self._rig] if self._rig is not None else []
         program, *arguments = module_command("rigapp", "notify", "--test", *rig)
-        self.told.setText(tr("Sending a test message …"))
+        self.message.setText(tr("Sending a test message …"))
         self._process.start(program, arguments)
         self._enable()
 
     def _tested(self) -> None:
-        said = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
-        wrong = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
-        self.told.setText((said.strip() or wrong.strip()).removeprefix("rigapp: "))
+        output = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
+        errors = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
+        self.message.setText((output.strip() or errors.strip()).removeprefix("rigapp: "))
         self._enable()
 
 

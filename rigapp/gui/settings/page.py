@@ -46,7 +46,7 @@ END_MS = 3000
 
 
 class LivePageCard(QWidget):
-    """Serve the page as a process of this window, and open it in a browser."""
+    """Serve the live page in a process of this window, and open it in a browser."""
 
     def __init__(self, choices: Preferences, rig: Path | None) -> None:
         super().__init__()
@@ -57,16 +57,16 @@ class LivePageCard(QWidget):
         self.serve = button("page_serve", "Serve", self._serve, "Serve the page")
         self.end = button("page_end", "End", self.close_page, "Serve the page no longer")
         self.open = button("page_open", "Open", self._open, "Open the page in a browser")
-        self.told = prose("page_told", "How the page is", NOT_SERVED, role="caption")
+        self.state = prose("page_told", "How the page is", NOT_SERVED, role="caption")
         fields = flowing("Address", (self.address, 1), self.serve, self.end, self.open)
-        column(fields, self.told, on=self, spacing=STEP)
+        column(fields, self.state, on=self, spacing=STEP)
         self._process = QProcess(self)
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._ended)
         self._show()
 
     def close_page(self) -> None:
-        """End the page; the window waits a moment for it."""
+        """End the page; wait a moment for its process."""
         if self._process.state() is not QProcess.ProcessState.NotRunning:
             self._process.terminate()
             if not self._process.waitForFinished(END_MS):
@@ -79,7 +79,7 @@ class LivePageCard(QWidget):
         rigs = ["--rig", self._rig] if self._rig is not None else []
         program, *arguments = module_command("rigapp", "page", "--bind", address or ADDRESS, *rigs)
         self._url = ""
-        self.told.setText(tr("Starting the page …"))
+        self.state.setText(tr("Starting the page …"))
         self._process.start(program, arguments)
         self._show()
 
@@ -88,14 +88,14 @@ class LivePageCard(QWidget):
         for word in text.split():
             if "://" in word:
                 self._url = word
-                self.told.setText(tr("The page is at {}", word))
+                self.state.setText(tr("The page is at {}", word))
         self._show()
 
     def _ended(self) -> None:
-        told = bytes(self._process.readAllStandardError().data()).decode(errors="replace").strip()
-        lines = told.splitlines()
+        errors = bytes(self._process.readAllStandardError().data()).decode(errors="replace").strip()
+        lines = errors.splitlines()
         self._url = ""
-        self.told.setText(lines[0].removeprefix("rigapp: ") if lines else tr(NOT_SERVED))
+        self.state.setText(lines[0].removeprefix("rigapp: ") if lines else tr(NOT_SERVED))
         self._show()
 
     def _show(self) -> None:
@@ -116,14 +116,14 @@ HAVE: Final[Text] = "Have a PIN and may change limits: {}."
 
 
 class PinPart(QWidget):
-    """Say who has a PIN, and set that of the operator whom the settings name."""
+    """Show who has a PIN, and set that of the operator named in the settings."""
 
     def __init__(self, rig: Path | None, choices: Preferences) -> None:
         super().__init__()
         self._rig, self._choices = rig, choices
         self._file: Path | None = None
         named(self, "pins", "PINs for limits")
-        self.told = prose("pins_told", "Who has a PIN", role="caption")
+        self.holders = prose("pins_told", "Who has a PIN", role="caption")
         self.pin = edit("pin_new", "New PIN of the operator", self._enable, hint="New PIN")
         self.by_pin = edit("pin_present", "PIN of somebody who has one", hint="A present PIN")
         for field in (self.pin, self.by_pin):
@@ -131,29 +131,29 @@ class PinPart(QWidget):
         self.set = button("pin_set", "Set PIN", self._set, "Set the PIN of the operator")
         self._fields = QWidget()
         flowing((self.pin, 1), (self.by_pin, 1), self.set, on=self._fields)
-        column(self.told, self._fields, on=self, spacing=STEP)
+        column(self.holders, self._fields, on=self, spacing=STEP)
         self._enable()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look who has a PIN now."""
+        """Read again who has a PIN."""
         super().showEvent(event)
         self.look()
 
     def look(self) -> None:
-        """Read the file of the operators, where the rig file names one."""
+        """Read the file of operators, where the rig file names one."""
         try:
             self._file = operators_file(read_rig(self._rig)) if self._rig is not None else None
             names = list(pins_in(self._file)) if self._file is not None else []
         except UnusableInput as error:
             self._fields.hide()
-            self.told.setText(translate(error_text(error, "The operators cannot be read.")))
+            self.holders.setText(translate(error_text(error, "The operators cannot be read.")))
             return
         self._fields.setVisible(self._file is not None)
         self.by_pin.setVisible(bool(names))
         if self._file is None:
-            self.told.setText(tr(NO_PINS))
+            self.holders.setText(tr(NO_PINS))
         else:
-            self.told.setText(tr(HAVE, ", ".join(names)) if names else tr(FIRST))
+            self.holders.setText(tr(HAVE, ", ".join(names)) if names else tr(FIRST))
 
     def _enable(self) -> None:
         self.set.setEnabled(bool(self.pin.text()))
@@ -164,7 +164,7 @@ class PinPart(QWidget):
         try:
             set_pin(self._file, name, self.pin.text(), self.by_pin.text())
         except UnusableInput as error:
-            self.told.setText(translate(error_text(error, "The PIN cannot be set.")))
+            self.holders.setText(translate(error_text(error, "The PIN cannot be set.")))
             return
         finally:
             self.by_pin.clear()
@@ -195,13 +195,13 @@ def settings_card(name: str, title: Text, *items: Any) -> QFrame:
 
 
 def show_choice(box: QComboBox, value: str) -> None:
-    """Show the item of a value without calling what a choice calls."""
+    """Show the item of a value without the signals of a choice."""
     with QSignalBlocker(box):
         box.setCurrentIndex(max(box.findData(value), 0))
 
 
 class SettingsPage(QWidget):
-    """Show each setting, and keep what is changed at once."""
+    """Show each setting, and store a change at once."""
 
     takes = Takes(0)
 
@@ -209,7 +209,7 @@ class SettingsPage(QWidget):
         super().__init__()
         self._host = host
         self._choices = host.preferences
-        self._begun = {one: self._choices.get(one) for one in Preference}
+        self._begun = {key: self._choices.get(key) for key in Preference}
         named(self, "settings_page", "Settings")
         self.messages = MessageCard(host.worker, host.rig, host.say)
         self.live = LivePageCard(self._choices, host.rig)
@@ -236,7 +236,7 @@ class SettingsPage(QWidget):
         self._show()
 
     def show_news(self, news: News) -> None:
-        """Take nothing: settings are the user's, not the test's."""
+        """Ignore the news: settings belong to the user, not to the test."""
 
     def _look(self) -> Any:
         put = self._choices.put
@@ -308,7 +308,7 @@ class SettingsPage(QWidget):
         with QSignalBlocker(self.training):
             self.training.setChecked(get(Preference.HANDS) != OFF)
         later = any(
-            get(one) != self._begun[one] for one in (Preference.LANGUAGE, Preference.RESULTS_FOLDER)
+            get(key) != self._begun[key] for key in (Preference.LANGUAGE, Preference.RESULTS_FOLDER)
         )
         self.later.setVisible(later)
         self.again.setVisible(later)

@@ -22,7 +22,7 @@ from rigapp.schema.channels import BASE
 from rigapp.viewer.levels import levels_of
 
 HIDDEN = ("schema", "model.schema", "limits.rule", "run.step", "view.")
-"""Keys that the form keeps as they are or shows in a table of their own."""
+"""Keys that the form leaves unchanged or shows elsewhere."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +55,7 @@ class FieldSpec(Key):
 
     @property
     def label(self) -> str:
-        """Return what the form calls the field."""
+        """Return the caption of the field."""
         return tr(self.name)
 
     @property
@@ -65,12 +65,12 @@ class FieldSpec(Key):
 
     @property
     def needed(self) -> bool:
-        """Tell whether the file must say it."""
+        """Tell whether the file must have the key."""
         return self.default is msgspec.NODEFAULT
 
     @property
     def allowed(self) -> str:
-        """Return range, default and what its values mean."""
+        """Return range, default and the meaning of the values."""
         parts = []
         if math.isfinite(self.range.low):
             low, high = f"{self.range.low:g}", f"{self.range.high:g} {self.unit}".rstrip()
@@ -81,20 +81,20 @@ class FieldSpec(Key):
 
     @property
     def default_words(self) -> str:
-        """Return what holds where the file says nothing."""
+        """Return the default in words."""
         return tr(show_value(self.default).replace("_", " ") or "off")
 
     @property
     def hint(self) -> str:
-        """Return key, range, default and what its values mean."""
+        """Return key, range, default and the meaning of the values."""
         return "; ".join(filter(None, (self.path, self.allowed)))
 
 
 @cache
 def form_fields() -> tuple[FieldSpec, ...]:
     """Return the fields of a test file in the order of the file."""
-    shown = (one for one in keys_of(TestFile) if not one.path.startswith(HIDDEN))
-    return tuple(FieldSpec(*(getattr(one, name) for name in Key.__slots__)) for one in shown)
+    shown = (key for key in keys_of(TestFile) if not key.path.startswith(HIDDEN))
+    return tuple(FieldSpec(*(getattr(key, name) for name in Key.__slots__)) for key in shown)
 
 
 WANTED: Final[dict[str, Text]] = {
@@ -107,7 +107,6 @@ WANTED: Final[dict[str, Text]] = {
 def parse_value(field: FieldSpec, text: str) -> Any:
     """Return the value that a text means; raise ValueError with one sentence."""
     text = text.strip()
-    where = f"{field.label}"
     try:
         if field.kind == "int":
             value: Any = whole(text)
@@ -118,12 +117,11 @@ def parse_value(field: FieldSpec, text: str) -> Any:
         else:
             return text
     except ValueError:
-        said = tr(WANTED[field.kind], where, repr(text))
-        raise ValueError(said) from None
-    for one in value if field.kind == "pair" else (value,):
-        wrong = refusal(field.path, one)
+        raise ValueError(tr(WANTED[field.kind], field.label, repr(text))) from None
+    for part in value if field.kind == "pair" else (value,):
+        wrong = refusal(field.path, part)
         if wrong:
-            raise ValueError(f"{where}: {translate(wrong)}")
+            raise ValueError(f"{field.label}: {translate(wrong)}")
     return value
 
 
@@ -137,7 +135,7 @@ def _two_numbers(text: str) -> list[float]:
 
 
 def show_value(value: Any) -> str:
-    """Return a value as the form shows it; nothing where there is none."""
+    """Return a value as the form shows it, empty for None."""
     if value is None:
         return ""
     if isinstance(value, (list, tuple)):
@@ -181,27 +179,27 @@ def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
 def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
     """Return what differs between two tests, a line a key; limits as sentences."""
     rule = "limits.rule"
-    lines = [one for one in changes(before, after) if not one.startswith(rule)]
+    lines = [line for line in changes(before, after) if not line.startswith(rule)]
     old, new = (
-        [one.sentence(BASE) for one in levels_of(tables_in(get_path(tree, rule)))]
+        [level.sentence(BASE) for level in levels_of(tables_in(get_path(tree, rule)))]
         for tree in (before, after)
     )
-    lines += [tr("new limit: {}", one) for one in new if one not in old]
-    lines += [tr("limit gone: {}", one) for one in old if one not in new]
+    lines += [tr("new limit: {}", limit) for limit in new if limit not in old]
+    lines += [tr("limit gone: {}", limit) for limit in old if limit not in new]
     return lines or ([tr("the order of the limits")] if _other_rules(before, after) else [])
 
 
 def _other_rules(before: Mapping[str, Any], after: Mapping[str, Any]) -> bool:
-    return any(one.startswith("limits.rule") for one in changes(before, after))
+    return any(line.startswith("limits.rule") for line in changes(before, after))
 
 
 def tables_in(value: Any) -> list[dict[str, Any]]:
-    """Return what a file has as a list of tables; nothing where it has something else."""
-    return [one for one in value if isinstance(one, dict)] if isinstance(value, list) else []
+    """Return the tables of a value that is an array of tables, else an empty list."""
+    return [item for item in value if isinstance(item, dict)] if isinstance(value, list) else []
 
 
 def in_form_words(sentence: str) -> str:
-    """Return a sentence about keys of a test file with the labels of the form in their place."""
+    """Return a sentence about keys of a test file with their labels in the form instead."""
     labels = {field.path: f"\u201c{field.label}\u201d" for field in form_fields()}
     return re.sub(
         r"\b[a-z_]+(\.\w+)+",

@@ -34,7 +34,7 @@ Editor = QLineEdit | QComboBox | QCheckBox
 
 CAPTION_WIDTH = 22 * STEP
 WIDTHS = {"int": 14 * STEP, "float": 14 * STEP, "pair": 18 * STEP}
-"""Of the fields for numbers; texts take what room there is."""
+"""Of the fields for numbers; texts take the rest."""
 
 TITLES: Final[dict[str, Text]] = {
     "": "Test",
@@ -56,18 +56,18 @@ TITLES: Final[dict[str, Text]] = {
 
 IN_A_ROW, OVER = marked("in a row"), marked("over")
 BESIDE = {
-    f"stop.{one.count or one.window}": (f"stop.{key}", IN_A_ROW if one.count else OVER)
-    for key, one in CRITERIA.items()
-    if one.count or one.window
+    f"stop.{stop.count or stop.window}": (f"stop.{key}", IN_A_ROW if stop.count else OVER)
+    for key, stop in CRITERIA.items()
+    if stop.count or stop.window
 }
-"""Fields that stand in the line of the field they belong to, with the word before them."""
+"""Fields in the line of the field they belong to, with the word before them."""
 
-SENTENCES = {f"limits.{name}": one.sentence for name, one in ALWAYS.items()}
+SENTENCES = {f"limits.{name}": rule.sentence for name, rule in ALWAYS.items()}
 """Fields whose caption is the beginning of a sentence."""
 
 
 class FieldLine(QWidget):
-    """A caption, one field or two with their units, and below them what may stand there."""
+    """A caption, one field or two with their units, and below them their range or error."""
 
     def __init__(self, field: FieldSpec, editor: Editor) -> None:
         super().__init__()
@@ -101,23 +101,23 @@ class FieldLine(QWidget):
         self._add(field, editor, label)
 
     def _add(self, field: FieldSpec, editor: Editor, before: QLabel | None = None) -> None:
-        """Put a field at the end, with its unit and the word before it beside it."""
+        """Add a field at the end, between the word before it and its unit."""
         wide = int(isinstance(editor, QLineEdit) and field.kind not in WIDTHS)
         unit = QLabel(field.unit) if field.unit else None
         self._line.add(together(before, (editor, wide), unit), wide)
 
     def show_errors(self, errors: Mapping[str, str]) -> None:
-        """Show what is wrong with the fields of the line, or what they may be."""
-        mine = [errors[one.path] for one in self.fields if one.path in errors]
-        text = f"\u2717 {' '.join(mine)}" if mine else self.fields[0].allowed
-        tell(self.note, "role", "error" if mine else "caption")
+        """Show what is wrong with the fields of the line, or their range."""
+        texts = [errors[field.path] for field in self.fields if field.path in errors]
+        text = f"\u2717 {' '.join(texts)}" if texts else self.fields[0].allowed
+        tell(self.note, "role", "error" if texts else "caption")
         if text != self.note.text():
             self.note.setText(text)
         self.note.setVisible(bool(text))
 
 
 class FieldForm:
-    """Make the editors of all fields, fill and read them; every mistake is told at its field."""
+    """Make the editors of all fields, fill and read them; show every mistake at its field."""
 
     def __init__(self, changed: Callable[[], None]) -> None:
         self._changed = changed
@@ -151,7 +151,7 @@ class FieldForm:
         name, spoken = f"field_{field.path}", f"{field.label} {field.unit}".strip()
         editor: Editor
         if field.kind == "choice":
-            items = [(one.replace("_", " "), one) for one in field.choices]
+            items = [(option.replace("_", " "), option) for option in field.choices]
             editor = choice(name, spoken, items, self._changed)
         elif field.kind == "bool":
             editor = QCheckBox()
@@ -167,7 +167,7 @@ class FieldForm:
         return named(editor, name, spoken, field.hint)
 
     def fill(self, tree: Mapping[str, Any]) -> None:
-        """Show a test; what it does not say is at its default."""
+        """Show a test; missing keys have their defaults."""
         for field in self.fields:
             self._fill(field, get_path(tree, field.path))
         for name, box in self.sections.items():
@@ -217,7 +217,7 @@ class FieldForm:
         return parse_value(field, text)
 
     def is_typed(self, path: str) -> bool:
-        """Tell whether something stands in a field; what is no field of the form counts."""
+        """Tell whether a field is filled in; what is no text field of the form counts as such."""
         editor = self.editors.get(path)
         return not isinstance(editor, QLineEdit) or bool(editor.text().strip())
 
@@ -245,7 +245,7 @@ def page_of(parts: Sequence[QWidget]) -> QWidget:
     layout = QVBoxLayout(page)
     layout.setContentsMargins(0, 0, 0, 0)
     layout.setSpacing(GAP)
-    for one in parts:
-        layout.addWidget(one)
+    for part in parts:
+        layout.addWidget(part)
     layout.addStretch(1)
     return page

@@ -1,4 +1,4 @@
-"""The page that prepares a test: form on the left, checks of the armed test on the right."""
+"""The page that prepares a test: form on the left, checks of the selected test on the right."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ ORDER = (CheckVerdict.BLOCKS, CheckVerdict.ATTENTION, CheckVerdict.GOOD)
 class CheckRow(QFrame):
     """One check: its mark, what it is about, what was found and what to do."""
 
-    def __init__(self, place: int) -> None:
+    def __init__(self, number: int) -> None:
         super().__init__()
-        named(self, f"check_{place}", "Check")
+        named(self, f"check_{number}", "Check")
         self.mark = QLabel()
         self.mark.setFixedWidth(2 * STEP)
         self.what, self.finding, self.action = (
-            prose(f"check_{place}_{name}", spoken)
+            prose(f"check_{number}_{name}", spoken)
             for name, spoken in (
                 ("what", "Check"),
                 ("finding", marked("What was found")),
@@ -56,10 +56,10 @@ class CheckRow(QFrame):
         )
         self.what.setProperty("role", "title")
         self.finding.setProperty("role", "caption")
-        self.details = FoldedDetails(f"check_{place}")
+        self.details = FoldedDetails(f"check_{number}")
         texts = column(self.what, self.finding, self.action, self.details, spacing=0)
-        made = row(self.mark, (texts, 1), on=self, margins=(STEP, STEP // 2))
-        made.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
+        layout = row(self.mark, (texts, 1), on=self, margins=(STEP, STEP // 2))
+        layout.setAlignment(self.mark, Qt.AlignmentFlag.AlignTop)
 
     def show_check(self, check: Check) -> None:
         """Show a check."""
@@ -103,15 +103,15 @@ class PreflightPanel(QFrame):
     @property
     def words(self) -> str:
         """Return how many checks are of which sort."""
-        count = Counter(one.verdict for one in self.shown)
+        count = Counter(check.verdict for check in self.shown)
         numbers = (
-            count[one] for one in (CheckVerdict.GOOD, CheckVerdict.ATTENTION, CheckVerdict.BLOCKS)
+            count[kind] for kind in (CheckVerdict.GOOD, CheckVerdict.ATTENTION, CheckVerdict.BLOCKS)
         )
         return tr("{} good, {} for attention, {} block", *numbers)
 
     def show_checks(self, checks: list[Check]) -> None:
         """Show the checks, what blocks first."""
-        ordered = sorted(checks, key=lambda one: ORDER.index(one.verdict))
+        ordered = sorted(checks, key=lambda check: ORDER.index(check.verdict))
         if ordered == self.shown:
             return
         self.shown = ordered
@@ -121,22 +121,22 @@ class PreflightPanel(QFrame):
             self._list.insertWidget(len(self.rows) - 1, self.rows[-1])
         for line, check in zip(self.rows, ordered, strict=False):
             line.show_check(check)
-        for place, line in enumerate(self.rows):
-            line.setVisible(place < len(ordered))
+        for index, line in enumerate(self.rows):
+            line.setVisible(index < len(ordered))
 
 
-DEFAULT_RATE_HZ = 1000.0  # to judge the disk by, until a device tells its own
+DEFAULT_RATE_HZ = 1000.0  # to estimate the disk space, until a device reports its own
 NARROW = 136 * STEP
-"""A page less wide has no room for the checks: the sentence of a limit takes the rest."""
+"""A narrower page has no room for the checks: the sentence of a limit needs all of it."""
 LOOK_AGAIN_S = 20.0
-"""The rig file, its calibration records and the disk are looked at so often."""
+"""Between two readings of the rig file, its calibration records and the disk space."""
 
 
 class PreparePanel(QWidget):
-    """Hold form and checks; disk and records are looked at on a worker, again and again.
+    """Form and checks; disk and records are read on a worker, again and again.
 
-    What is checked is the armed test, the file as it was read; the form says what is not part of
-    it. Where there is no room beside the form, the checks are its last step.
+    The selected test is checked, the file as it was read; unsaved changes are listed by the form.
+    Where there is no room beside the form, the checks are its last step.
     """
 
     takes = Takes.HISTORY
@@ -167,7 +167,7 @@ class PreparePanel(QWidget):
         self._place_checks(narrow=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Put the checks where there is room for them, once the page has its last width."""
+        """Place the checks where there is room, once the page has its final width."""
         super().resizeEvent(event)
         self._fit.start()
 
@@ -184,11 +184,11 @@ class PreparePanel(QWidget):
             self.checks.show()
 
     def parts(self) -> list[QWidget]:
-        """Return what is put in a theme for itself."""
+        """Return the parts that are put in a theme one by one."""
         return [self.checks, *self.recipe.parts()]
 
     def set_rig(self, rig: Path) -> None:
-        """Take the rig file, for its ranges and its calibration records."""
+        """Use the ranges and the calibration records of a rig file."""
         self._rig = rig
         self._looked_at = None
 
@@ -198,13 +198,13 @@ class PreparePanel(QWidget):
         rate = max((d.sample_rate_Hz for d in status.rig.devices), default=0.0) if status else 0.0
         self._ask_disk(rate or DEFAULT_RATE_HZ)
         self._ask_records()
-        found = preflight(self._test, self._records, self._disk, status)
+        checks = preflight(self._test, self._records, self._disk, status)
         if self._problem:
-            found.insert(
+            checks.insert(
                 1, Check(say("Rig file"), CheckVerdict.BLOCKS, self._problem, say("Correct it"))
             )
-        self.checks.show_checks([*self._of_form(), *found])
-        blocking = sum(1 for one in self.checks.shown if one.verdict is CheckVerdict.BLOCKS)
+        self.checks.show_checks([*self._of_form(), *checks])
+        blocking = sum(1 for check in self.checks.shown if check.verdict is CheckVerdict.BLOCKS)
         self.recipe.show_checks(self.checks.words, blocking)
         self.recipe.rules.show_usual(news)
 
@@ -214,7 +214,7 @@ class PreparePanel(QWidget):
         return selected.test if selected is not None else None
 
     def _of_form(self) -> Iterator[Check]:
-        """Say what of the form is not part of the armed test, and why none is armed."""
+        """Yield what of the form is not part of the selected test, or why none is selected."""
         selected = self.recipe.selected
         if selected is None:
             yield Check(
@@ -234,8 +234,9 @@ class PreparePanel(QWidget):
         count = len(self.recipe.unsaved())
         if count:
             name = selected.path.name
-            one = tr("1 change not part of {}", name)
-            finding = tr("{} changes not part of {}", count, name) if count > 1 else one
+            finding = tr("1 change not part of {}", name)
+            if count > 1:
+                finding = tr("{} changes not part of {}", count, name)
             yield Check(say("Form"), CheckVerdict.ATTENTION, finding, say("Save, or start without"))
         if self.recipe.rules.draft is not None:
             yield Check(

@@ -1,7 +1,7 @@
 """Prepare a test in steps: every key of the test file with unit, range and default.
 
-It is checked as one types, and every mistake stands at its field. The file as it is on the disk is
-the armed test (see ``selected_test``); what is typed is part of it once it is saved.
+It is checked at every edit, and every mistake is shown at its field. The file on the disk is the
+selected test (see ``selected_test``); what is typed is part of it once it is saved.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ CHECKS: Final[Text] = "Checks"
 
 
 class RecipePanel(QWidget):
-    """Edit a test file; ``selection_changed`` tells that another one is armed, or a newer state."""
+    """Edit a test file; ``selection_changed``: another one, or a newer state, is selected."""
 
     selection_changed = Signal()
 
@@ -76,7 +76,7 @@ class RecipePanel(QWidget):
         self.rules.changed.connect(self._judge)
         self.sequence = SequenceCard()
         self.sequence.changed.connect(self._judge)
-        self.steps = StepBar([*(one.title for one in STEPS), CHECKS])
+        self.steps = StepBar([*(step.title for step in STEPS), CHECKS])
         self.steps.chosen.connect(self.show_step)
         self.pages = named(QStackedWidget(), "step_pages", "The open step")
         self.pages.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
@@ -88,15 +88,15 @@ class RecipePanel(QWidget):
 
     @property
     def path(self) -> Path | None:
-        """Return the file that is edited; None for one that has no name yet."""
+        """Return the file that is edited; None for a test without a file."""
         return self.selected.path if self.selected is not None else None
 
     def unsaved(self) -> list[str]:
-        """Return the changes that are not saved, a line each; what cannot be read counts too."""
+        """Return the unsaved changes, a line each, unreadable values included."""
         tree, errors = self._read()
         typed = {path: text for path, text in errors.items() if self.form.is_typed(path)}
         lost = differences(self._tree, _explicit(tree, self._tree))
-        return [*typed.values(), *(one for one in lost if one.partition(":")[0] not in typed)]
+        return [*typed.values(), *(line for line in lost if line.partition(":")[0] not in typed)]
 
     def ask_before(self, what: str, then: Callable[[], None]) -> bool:
         """Do something that loses unsaved changes, after a question when there are any.
@@ -124,7 +124,7 @@ class RecipePanel(QWidget):
         return True
 
     def begin(self, tree: dict[str, Any]) -> None:
-        """Begin a test that has no file yet; nothing is armed until it is saved."""
+        """Begin a test without a file; none is selected until it is saved."""
         self._begun, self._text = tree, ""
         self._fill(tree)
         self._select(None)
@@ -141,7 +141,7 @@ class RecipePanel(QWidget):
         self.selection_changed.emit()
 
     def _fill(self, tree: Any) -> None:
-        """Show a test; whoever calls judges it once it is whole."""
+        """Show a test; the caller checks it once it is complete."""
         self._filled = False
         try:
             self.form.fill(tree)
@@ -152,7 +152,7 @@ class RecipePanel(QWidget):
 
     @property
     def _tree(self) -> dict[str, Any]:
-        """Return what the file says, or what a new test was begun from."""
+        """Return the tables of the file, or those from which a new test was begun."""
         return dict(self.selected.tree) if self.selected is not None else self._begun
 
     def _read(self) -> tuple[dict[str, Any], dict[str, str]]:
@@ -229,15 +229,15 @@ class RecipePanel(QWidget):
         return frozenset(field.section for field in form_fields() if field.optional)
 
     def parts(self) -> list[QWidget]:
-        """Return what is put in a theme for itself: each card of a step, and what is around it."""
+        """Return the parts put in a theme one by one: each card of a step, and the tools."""
         cards = [*self.form.sections.values(), self.sequence, self.rules, self.unfold]
         areas = (self.pages.widget(number) for number in range(self.pages.count()))
         bars = [area.verticalScrollBar() for area in areas if isinstance(area, QScrollArea)]
         return [self.steps, self._tools, *cards, *bars]
 
-    def show_step(self, place: int) -> None:
-        """Open a step; one beyond the last is a page that somebody else put behind them."""
-        self._now = max(0, min(place, self.pages.count() - 1))
+    def show_step(self, index: int) -> None:
+        """Open a step; one beyond the last is the page of the checks."""
+        self._now = max(0, min(index, self.pages.count() - 1))
         self.pages.setCurrentIndex(self._now)
         self._judge()
 
@@ -290,12 +290,12 @@ class RecipePanel(QWidget):
         self.unsaved_bar = UnsavedBar(self._save, tools)
         card = self._tools = named(QFrame(), "recipe_tools", "Test file")
         card.setProperty("role", "card")
-        told = row((self.name, 1), (self.verdict, 3), spacing=GAP)
-        column(told, tools, self.unsaved_bar, on=card, margins=(MARGIN, STEP // 2, MARGIN, STEP))
+        head = row((self.name, 1), (self.verdict, 3), spacing=GAP)
+        column(head, tools, self.unsaved_bar, on=card, margins=(MARGIN, STEP // 2, MARGIN, STEP))
         column(self.steps, (self.pages, 1), card, on=self, spacing=GAP)
 
     def _model(self) -> list[QWidget]:
-        """Return the cards of the last step: the mechanism and all else are folded."""
+        """Return the cards of the last step: mechanism and all remaining sections are folded."""
         placed = {name for step in STEPS for name in step.sections}
         names = dict.fromkeys(f.section for f in self.form.fields if f.section not in placed)
         shown = [self.form.section(name) for name in STEPS[MODEL].sections]
@@ -317,7 +317,7 @@ class RecipePanel(QWidget):
         return [*shown, head, inside]
 
     def _judge(self) -> None:
-        """Check the whole form; every mistake stands at its field, the verdict counts them."""
+        """Check the whole form; show every mistake at its field, and their number."""
         if not self._filled:
             return
         tree, errors = self._read()
@@ -334,13 +334,13 @@ class RecipePanel(QWidget):
         self._show_verdict(errors, others, differences(self._tree, _explicit(tree, self._tree)))
 
     def _with_the_file_s(self, tree: dict[str, Any], errors: Iterable[str]) -> dict[str, Any]:
-        """Return a test with the file's values where none can be read, to judge the others by."""
-        whole = copy.deepcopy(tree)
+        """Return a test with the file's values for unreadable ones, to check the others."""
+        complete = copy.deepcopy(tree)
         for path in errors:
-            given = get_path(self._tree, path)
-            if given is not None:
-                set_path(whole, path, given)
-        return whole
+            value = get_path(self._tree, path)
+            if value is not None:
+                set_path(complete, path, value)
+        return complete
 
     def offer_checks(self, checks: QWidget | None) -> None:
         """Put the checks behind the last step; None takes them away again."""
@@ -352,19 +352,19 @@ class RecipePanel(QWidget):
         self.show_step(self._now)
 
     def show_checks(self, words: str, blocking: int) -> None:
-        """Say in the bar of steps what the checks say, and how many of them block."""
+        """Show a summary of the checks in the bar of steps, and how many of them block."""
         if (words, blocking) != self._checked:
             self._checked = (words, blocking)
             self._judge()
 
     def _place_faults(self, wrong: list[str], errors: dict[str, str]) -> list[str]:
-        """Put what does not fit together at the fields it names; return what names none."""
+        """Show each fault at the first field it names; return the faults that name none."""
         others = []
         for fault in wrong:
             named_fields = [path for path in fields_named(fault) if path in self.form.editors]
             sentence = f"{in_form_words(translate(fault)).rstrip('.')}."
             if any(path in errors for path in named_fields):
-                continue  # said already, or a consequence of what stands there
+                continue  # shown already, or a consequence of the value there
             if named_fields:
                 errors[named_fields[0]] = sentence
             elif not errors:
@@ -375,17 +375,17 @@ class RecipePanel(QWidget):
         counts = [0] * len(STEPS)
         for path in errors:
             section = "limits" if path == "limits.rule" else path.rpartition(".")[0]
-            place = next((n for n, one in enumerate(STEPS) if section in one.sections), MODEL)
-            counts[place] += 1
-            if place == MODEL and section not in STEPS[MODEL].sections:
+            index = next((n for n, step in enumerate(STEPS) if section in step.sections), MODEL)
+            counts[index] += 1
+            if index == MODEL and section not in STEPS[MODEL].sections:
                 self.unfold.setChecked(True)
         if self.test is not None:
-            self._words = [one.words(self.test) for one in STEPS]
+            self._words = [step.words(self.test) for step in STEPS]
         texts = list(self._words)
         if self.rules.draft is not None:
-            texts[[one.title for one in STEPS].index("Limits")] += tr(", 1 draft")
-        told, blocking = self._checked
-        self.steps.show_steps(self._now, [*texts, told], [*counts, blocking])
+            texts[[step.title for step in STEPS].index("Limits")] += tr(", 1 draft")
+        words, blocking = self._checked
+        self.steps.show_steps(self._now, [*texts, words], [*counts, blocking])
         self.buttons["back"].setEnabled(self._now > 0)
         self.buttons["next"].setEnabled(self._now < self.pages.count() - 1)
 
@@ -406,8 +406,8 @@ class RecipePanel(QWidget):
             draft = tr(drafted) if self.rules.draft is not None else ""
             more = tr("; and {} more", len(differences) - 1) if len(differences) > 1 else ""
             changed = tr("Not saved: {}{}.", differences[0], more) if differences else ""
-            told = changed or tr("As in the file.")
-            self._say(tr("Usable. {}{}", told, draft), good=True)
+            state = changed or tr("As in the file.")
+            self._say(tr("Usable. {}{}", state, draft), good=True)
         usable = self.test is not None
         self.buttons["save"].setEnabled(usable and (self.selected is None or bool(differences)))
         for name in ("save_as", "duplicate"):
@@ -473,18 +473,18 @@ def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:
     defaults = {field.path: field.default for field in form_fields()}
     for path in _paths(tree, ""):
         value = get_path(tree, path)
-        given = get_path(file, path)
+        stated = get_path(file, path)
         default = defaults.get(path)
         default = list(default) if isinstance(default, tuple) else default
-        if given is None and value == default:
+        if stated is None and value == default:
             continue
-        set_path(kept, path, given if given == value else value)
+        set_path(kept, path, stated if stated == value else value)
     return kept
 
 
 def _paths(tree: dict[str, Any], prefix: str) -> list[str]:
-    found = []
+    paths = []
     for key, value in tree.items():
         path = f"{prefix}{key}"
-        found += _paths(value, f"{path}.") if isinstance(value, dict) else [path]
-    return found
+        paths += _paths(value, f"{path}.") if isinstance(value, dict) else [path]
+    return paths

@@ -54,7 +54,7 @@ from rigapp.viewer.news import News
 
 SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revolutions} revolutions"
 ENDS: Final[Text] = "{note} ends {back} inside"
-"""The lines of a limit, with its fields in the place of the braces."""
+"""The lines of a limit; the braces are its fields."""
 NUMBER: Final[Text] = "Type a number in place of {}."
 WHOLE_NUMBER: Final[Text] = "Type a whole number in place of {}."
 SIDES: Final[tuple[tuple[Text, str], ...]] = (("above", "above"), ("below", "below"))
@@ -63,7 +63,7 @@ NUMBER_WIDTH = 9 * STEP
 NOTE_WIDTH = 24 * STEP
 COUNT_WIDTH = 7 * STEP
 QUANTITY_LETTERS = 10
-"""Room for a quantity that is always there; the list of them is as wide as it needs."""
+"""Least width of the quantity; the list of quantities is as wide as it needs."""
 USUAL_ROWS = 1000
 USUAL_PERCENT = (5.0, 95.0)
 """The usual range is that of nine in ten of so many newest revolutions: starts and trips are not
@@ -71,37 +71,37 @@ usual."""
 
 
 class LevelRow(QFrame):
-    """One limit: what happens when what is above how much for how long."""
+    """One limit: its action, quantity, side, value and number of revolutions."""
 
     changed = Signal()
 
-    def __init__(self, place: int, level: LimitLevel, table: ChannelTable) -> None:
+    def __init__(self, serial: int, level: LimitLevel, table: ChannelTable) -> None:
         super().__init__()
         self.level = level
         self._table = table
         self._usual = ""
-        name = f"limit_{place}"
-        named(self, name, tr("Limit {}", place))
+        name = f"limit_{serial}"
+        named(self, name, tr("Limit {}", serial))
         actions = [(text, pair) for pair, text in ACTIONS.items()]
         pair = (level.severity, level.action)
         if pair not in ACTIONS:
             actions.append((OTHER_ACTIONS[pair], pair))
-        self.action = choice(f"{name}_action", tr("What limit {} does", place), actions)
-        self.quantity = choice(f"{name}_quantity", tr("Quantity of limit {}", place), ())
+        self.action = choice(f"{name}_action", tr("What limit {} does", serial), actions)
+        self.quantity = choice(f"{name}_quantity", tr("Quantity of limit {}", serial), ())
         self.quantity.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self.quantity.setMinimumContentsLength(QUANTITY_LETTERS)
-        self.side = choice(f"{name}_side", tr("Side of limit {}", place), SIDES)
-        self.value = edit(f"{name}_value", tr("Value of limit {}", place))
+        self.side = choice(f"{name}_side", tr("Side of limit {}", serial), SIDES)
+        self.value = edit(f"{name}_value", tr("Value of limit {}", serial))
         self.revolutions = edit(
-            f"{name}_revolutions", tr("Revolutions in a row of limit {}", place)
+            f"{name}_revolutions", tr("Revolutions in a row of limit {}", serial)
         )
-        self.back = edit(f"{name}_back", tr("How far inside limit {} its alarm ends", place))
+        self.back = edit(f"{name}_back", tr("How far inside limit {} its alarm ends", serial))
         self.units = [QLabel(), QLabel()]
-        wrong = tr("What is wrong with limit {}, or its usual range", place)
+        wrong = tr("What is wrong with limit {}, or its usual range", serial)
         self.note = prose(f"{name}_note", wrong, role="caption")
-        self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove limit {}", place))
+        self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove limit {}", serial))
         self.remove.setProperty("rank", "quiet")
         for line, width in (
             (self.value, NUMBER_WIDTH),
@@ -128,19 +128,18 @@ class LevelRow(QFrame):
         column(first, second, on=self, margins=(0, STEP), spacing=STEP // 2)
 
     def _field(self, wide: QWidget, unit: QLabel) -> Callable[[str], SentencePart]:
-        """Return what finds the field of a name, and the unit that follows a number."""
+        """Return a function from the name of a field to the field with the unit behind it."""
 
-        def found(name: str) -> SentencePart:
+        def field_of(name: str) -> SentencePart:
             field: QWidget = getattr(self, name)
             return field, unit if field in (self.value, self.back) else None, field is wide
 
-        return found
+        return field_of
 
     def _fill(self, pair: tuple[str, str]) -> None:
         level = self.level
-        self.action.setCurrentIndex(
-            next(at for at in range(self.action.count()) if tuple(self.action.itemData(at)) == pair)
-        )
+        pairs = [tuple(self.action.itemData(index)) for index in range(self.action.count())]
+        self.action.setCurrentIndex(pairs.index(pair))
         if self.quantity.findData(level.quantity) < 0:
             self.quantity.addItem(level.quantity, level.quantity)
         self.quantity.setCurrentIndex(self.quantity.findData(level.quantity))
@@ -154,9 +153,9 @@ class LevelRow(QFrame):
         self._show_unit()
 
     def know(self, table: ChannelTable) -> None:
-        """Offer limits on the channels of a rig."""
+        """List the quantities of a rig's channels."""
         self._table = table
-        known = {self.quantity.itemData(at) for at in range(self.quantity.count())}
+        known = {self.quantity.itemData(index) for index in range(self.quantity.count())}
         for text, name in quantity_choices(table):
             if name not in known:
                 self.quantity.addItem(text, name)
@@ -167,7 +166,7 @@ class LevelRow(QFrame):
             unit.setText(unit_of_quantity(self.quantity.currentData(), self._table))
 
     def read(self) -> tuple[LimitLevel, list[str]]:
-        """Return the level that is filled in, and what cannot be read of it; marks the fields."""
+        """Return the level that is filled in, and what cannot be read of it; mark the fields."""
         severity, action = self.action.currentData()
         wrong: list[str] = []
         self.level = replace(
@@ -205,7 +204,7 @@ class LevelRow(QFrame):
         self.note.setText(text or self._usual)
 
     def show_usual(self, news: News) -> None:
-        """Show the usual range of the quantity, as the test that is shown had it."""
+        """Show the usual range of the quantity in the shown test."""
         text = ""
         for rows in (news.data.rows, news.data.predictions):
             if self.level.quantity in rows.names:
@@ -252,7 +251,7 @@ class LimitSentences(QGroupBox):
         self._show()
 
     def fill(self, rules: Sequence[dict[str, Any]]) -> None:
-        """Show rules as a test file holds them; a draft goes."""
+        """Show the rules of a test file; a draft is discarded."""
         self._discard()
         for line in self.rows:
             take_away(line, self._list)
@@ -263,25 +262,25 @@ class LimitSentences(QGroupBox):
         self._show()
 
     def know(self, table: ChannelTable) -> None:
-        """Offer limits on the channels of a rig."""
+        """List the quantities of a rig's channels."""
         if table != self._table:
             self._table = table
             for line in self._all():
                 line.know(table)
 
     def judge(self, limits: LimitsSection | None) -> tuple[list[dict[str, Any]], int]:
-        """Return the rules and how many limits are wrong, and say at each of them what is wrong.
+        """Return the rules and how many limits are wrong; show at each what is wrong.
 
-        limits: what is always watched; None while that is not known.
+        limits: the permanent limits; None while not known.
         """
         self._limits = limits
         read = [line.read() for line in self.rows]
         levels = [level for level, _ in read]
         wrong = [list(texts) for _, texts in read]
-        rules, places = rules_of(levels, self._given)
-        for rule, mine in zip(rules, places, strict=True):
-            if not any(wrong[at] for at in mine):
-                wrong[mine[-1]] += faults_of(rule, None)
+        rules, origins = rules_of(levels, self._given)
+        for rule, indices in zip(rules, origins, strict=True):
+            if not any(wrong[index] for index in indices):
+                wrong[indices[-1]] += faults_of(rule, None)
         for line, level, texts in zip(self.rows, levels, wrong, strict=True):
             line.say(texts, never_comes(level, limits))
         self._judge_draft(levels)
@@ -295,7 +294,7 @@ class LimitSentences(QGroupBox):
             (rule,), _ = rules_of([level], ())
             never = never_comes(level, self._limits)
             wrong = [*faults_of(rule, self._table), *([never] if never else [])]
-        if any((one.quantity, one.bound) == (level.quantity, level.bound) for one in levels):
+        if any((other.quantity, other.bound) == (level.quantity, level.bound) for other in levels):
             wrong.append(tr("There is such a limit already; change that one."))
         self.draft.say(wrong)
         self.keep.setEnabled(not wrong)
@@ -343,15 +342,15 @@ class LimitSentences(QGroupBox):
             self.changed.emit()
 
     def _origin_for(self, level: LimitLevel) -> int:
-        """Return the rule that a new level fits: one of its quantity, or one of its own."""
+        """Return the rule for a new level: an existing one of its quantity, or a new one."""
         for line in self.rows:
-            one = line.level
-            if (one.quantity, one.revolutions, one.hysteresis) == (
+            known = line.level
+            if (known.quantity, known.revolutions, known.hysteresis) == (
                 level.quantity,
                 level.revolutions,
                 level.hysteresis,
             ):
-                return one.origin
+                return known.origin
         return 1 + max((line.level.origin for line in self.rows), default=len(self._given))
 
     def _discard(self) -> None:

@@ -1,6 +1,6 @@
 """The selected test file: as it was read from the disk, and its text with other values.
 
-Form, checks and start mean the same file; an edit leaves all else as its writer left it.
+Form, checks and start use the same file; an edit leaves everything else in it unchanged.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from rigapp.texts import sentence_of_error
 class SelectedTest:
     """A test file as read: its text, its tables, and the test; None with the problem if unusable.
 
-    Whoever starts it, starts the file on the disk, not what a form makes of it.
+    A start runs the file on the disk, not the contents of the form.
     """
 
     path: Path
@@ -38,9 +38,9 @@ class SelectedTest:
     problem: str = ""
 
     def on_disk(self) -> list[str]:
-        """Read the file again; return what differs now, a line each, nothing where it is the same.
+        """Read the file again; return what differs now, a line each.
 
-        Where it cannot be read any more, the one line says why.
+        Where it cannot be read any more, the only line is the reason.
         """
         try:
             text = read_text(self.path)
@@ -52,7 +52,7 @@ class SelectedTest:
 
 
 def read_selected(path: Path, text: str | None = None) -> SelectedTest:
-    """Return a test file, read from the disk unless its text is told; raise UnusableInput."""
+    """Return a test file, read from the disk unless its text is given; raise UnusableInput."""
     text = read_text(path) if text is None else text
     tree = toml_tree(text, path)
     test, wrong = validated_test(tree)
@@ -62,14 +62,14 @@ def read_selected(path: Path, text: str | None = None) -> SelectedTest:
 def edited(text: str, tree: Mapping[str, Any], optional: frozenset[str] = frozenset()) -> str:
     """Return ``text`` with the values of ``tree``: comments, order and untouched numbers stay.
 
-    tree: nested tables, lists and plain values, as the result must mean. optional: dotted paths of
-    tables that go when the tree lacks them; other tables keep their header when they become empty.
-    Where the text is laid out in a way that cannot be edited so, its comments go and the values are
-    right. Raises tomlkit.exceptions.ParseError when the text is not TOML.
+    tree: nested tables, lists and plain values of the result. optional: dotted paths of tables that
+    are removed when the tree lacks them; other tables keep their header when they become empty.
+    Where the layout of the text cannot be edited so, its comments are lost.
+    Raises tomlkit.exceptions.ParseError when the text is not TOML.
     """
-    found = parse(text) if text.strip() else document()
-    _edit(found, tree, "", optional)
-    result = dumps(found)
+    parsed = parse(text) if text.strip() else document()
+    _edit(parsed, tree, "", optional)
+    result = dumps(parsed)
     if _means(result) == _filled(tree):
         return result
     fresh = document()
@@ -86,10 +86,10 @@ def _means(text: str) -> dict[str, Any] | None:
 
 def _filled(tree: Mapping[str, Any]) -> dict[str, Any]:
     """Return a tree without its empty tables."""
-    found = {
+    filled = {
         key: _filled(value) if isinstance(value, Mapping) else value for key, value in tree.items()
     }
-    return {key: value for key, value in found.items() if value != {}}
+    return {key: value for key, value in filled.items() if value != {}}
 
 
 def _edit(container: Any, tree: Mapping[str, Any], where: str, optional: frozenset[str]) -> None:

@@ -47,14 +47,14 @@ from rigapp.schema.criteria import CRITERIA
 
 HEIGHT = 7 * STEP
 SIGN_ROOM = 6 * STEP
-"""Of a step, in pixels: its sign, and what is around it and its words."""
+"""Of a step, in pixels: its sign, and the space around sign and words."""
 NAMED_BY_OTHERS = 1
-"""The words of so many first steps are names that others have chosen: they may be cut."""
+"""The words of so many first steps are names chosen by users, which may be cut."""
 
 
 @dataclass(frozen=True, slots=True)
 class PrepareStep:
-    """One step: its name, its sections, and what it says of a usable test in a few words."""
+    """One step: its name, its sections, and its summary of a usable test in a few words."""
 
     title: Text
     sections: tuple[str, ...]
@@ -78,11 +78,11 @@ def _record_words(test: TestFile) -> str:
 
 
 def _stop_words(test: TestFile) -> str:
-    """Return the first criterion that is set, and what it is set to."""
-    for key, one in CRITERIA.items():
+    """Return the first criterion that is set, with its value."""
+    for key, criterion in CRITERIA.items():
         level = getattr(test.stop, key)
         if level is not None:
-            return f"{tr(one.title)} {level:g} {unit_text(unit_of(f'stop.{key}'))}"
+            return f"{tr(criterion.title)} {level:g} {unit_text(unit_of(f'stop.{key}'))}"
     return tr("after the last one")
 
 
@@ -108,7 +108,7 @@ STEPS = (
         lambda test: tr(test.prediction.joint) if test.prediction.enabled else tr("off"),
     ),
 )
-"""The last one has, folded, every section that stands in no other."""
+"""The last one has, folded, every section of no other step."""
 
 MODEL = len(STEPS) - 1
 
@@ -116,16 +116,16 @@ STATES: Final[dict[str, Text]] = {"done": "done", "now": "now", "later": "later"
 
 
 class StepButton(QPushButton):
-    """Show one step: a tick when it is right, its number, or a cross; name and a few words."""
+    """One step: a tick when it is right, its number, or a cross; name and a few words."""
 
-    def __init__(self, place: int, title: Text) -> None:
+    def __init__(self, index: int, title: Text) -> None:
         super().__init__()
-        self._place, self._title = place, title
+        self._index, self._title = index, title
         named(self, f"step_{title.lower()}", title).setProperty("rank", "step")
         self.setCheckable(True)
         self.setAutoExclusive(True)
         self.setFixedHeight(HEIGHT)
-        self.mark = QLabel(str(place + 1))
+        self.mark = QLabel(str(index + 1))
         self.mark.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.mark.setProperty("mark", "later")
         self.title = ElidedLabel(f"step_{title.lower()}_title", title)
@@ -135,14 +135,14 @@ class StepButton(QPushButton):
         self.words.setProperty("role", "caption")
         texts = column(None, self.title, self.words, None, spacing=0)
         row(self.mark, (texts, 1), on=self, margins=(STEP, 0, STEP // 2, 0), spacing=STEP)
-        for one in (self.mark, self.title, self.words):
-            one.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        for label in (self.mark, self.title, self.words):
+            label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     @property
     def room(self) -> tuple[int, int]:
         """Return the widths that it needs without and with its words, in pixels."""
         title, words = (
-            one.fontMetrics().horizontalAdvance(one.whole) for one in (self.title, self.words)
+            label.fontMetrics().horizontalAdvance(label.whole) for label in (self.title, self.words)
         )
         return SIGN_ROOM + title, SIGN_ROOM + max(title, words)
 
@@ -154,17 +154,17 @@ class StepButton(QPushButton):
     def show_step(self, state: str, words: str) -> None:
         """Show a state (done, now, later, wrong) and a few words."""
         tell(self.mark, "mark", state)
-        self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._place + 1)))
+        self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._index + 1)))
         self.words.show_text(words)
-        self.setAccessibleName(tr("Step {}, {}: {}", self._place + 1, tr(self._title), words))
+        self.setAccessibleName(tr("Step {}, {}: {}", self._index + 1, tr(self._title), words))
         self.setAccessibleDescription(tr(STATES[state]))
 
 
 class StepBar(QFrame):
     """The steps in a row; one of them is shown.
 
-    Where there is no room for their words the names stand alone, and where there is none for the
-    names either, a list to choose from takes their place.
+    Where there is no room for their words only the names are shown, and where there is none for the
+    names either, a list to choose from.
     """
 
     chosen = Signal(int)
@@ -173,19 +173,19 @@ class StepBar(QFrame):
         super().__init__()
         named(self, "steps", "Steps of preparing a test", role="card")
         self._offered = len(titles)
-        self.buttons = [StepButton(place, title) for place, title in enumerate(titles)]
-        for place, one in enumerate(self.buttons):
-            one.clicked.connect(partial(self._choose, place))
+        self.buttons = [StepButton(index, title) for index, title in enumerate(titles)]
+        for index, step in enumerate(self.buttons):
+            step.clicked.connect(partial(self._choose, index))
         self.choice = choice("step_choice", "Step", (), None)
         self.choice.activated.connect(self._choose)
-        parts: list[tuple[QWidget, int]] = [(one, 1) for one in self.buttons]
+        parts: list[tuple[QWidget, int]] = [(step, 1) for step in self.buttons]
         row(*parts, (self.choice, 1), on=self, margins=1, spacing=0)
 
-    def _choose(self, place: int, checked: bool = True) -> None:
-        self.chosen.emit(place)
+    def _choose(self, index: int, checked: bool = True) -> None:
+        self.chosen.emit(index)
 
     def offer(self, count: int) -> None:
-        """Offer the first so many steps."""
+        """Show only the first so many steps."""
         self._offered = count
         self._fit()
 
@@ -197,33 +197,33 @@ class StepBar(QFrame):
     def _fit(self) -> None:
         offered = self.buttons[: self._offered]
         share = (self.width() - 2) // max(len(offered), 1)
-        names = max(one.room[0] for one in offered)
-        words = max(one.room[1] for one in offered[NAMED_BY_OTHERS:])
-        for place, one in enumerate(self.buttons):
-            one.setVisible(place < self._offered and names <= share)
-            one.words.setVisible(words <= share)
+        names = max(step.room[0] for step in offered)
+        words = max(step.room[1] for step in offered[NAMED_BY_OTHERS:])
+        for index, step in enumerate(self.buttons):
+            step.setVisible(index < self._offered and names <= share)
+            step.words.setVisible(words <= share)
         self.choice.setVisible(names > share)
 
     def show_steps(self, now: int, words: Sequence[str], wrong: Sequence[int]) -> None:
-        """Show the step that is open, a few words on each, and how many mistakes each has."""
-        for place, (one, text, count) in enumerate(zip(self.buttons, words, wrong, strict=True)):
-            one.setChecked(place == now)
-            state = "wrong" if count else "now" if place == now else "done" if text else "later"
+        """Show which step is open, a few words on each, and how many mistakes each has."""
+        for index, (step, text, count) in enumerate(zip(self.buttons, words, wrong, strict=True)):
+            step.setChecked(index == now)
+            state = "wrong" if count else "now" if index == now else "done" if text else "later"
             mistakes = tr("{} mistakes", count) if count > 1 else tr("1 mistake")
-            one.show_step(state, mistakes if count else text)
+            step.show_step(state, mistakes if count else text)
         self._show_list(now)
         self._fit()
 
     def _show_list(self, now: int) -> None:
-        texts = [one.listed for one in self.buttons[: self._offered]]
-        if texts != [self.choice.itemText(at) for at in range(self.choice.count())]:
+        texts = [step.listed for step in self.buttons[: self._offered]]
+        if texts != [self.choice.itemText(index) for index in range(self.choice.count())]:
             self.choice.clear()
             self.choice.addItems(texts)
         self.choice.setCurrentIndex(now)
 
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"
-"""The line of a step, with its fields in the place of the braces."""
+"""The line of a step; the braces are its fields."""
 LENGTH_MISSING: Final[Text] = "Type how many revolutions the step has, or how many seconds."
 KINDS: Final[tuple[tuple[Text, str], ...]] = (
     ("revolutions", "revolutions"),
@@ -239,26 +239,26 @@ class StepLine(QFrame):
 
     changed = Signal()
 
-    def __init__(self, made: int, given: dict[str, Any]) -> None:
+    def __init__(self, serial: int, step: dict[str, Any]) -> None:
         super().__init__()
-        self._given, self._words = given, ""
-        self.setObjectName(f"sequence_{made}")
-        self.place = QLabel()
-        name = f"sequence_{made}"
-        self.kind = choice(f"{name}_kind", tr("Unit of how long step {} is", made), KINDS)
-        self.name = edit(f"{name}_name", tr("Name of step {}", made))
+        self._step, self._words = step, ""
+        self.setObjectName(f"sequence_{serial}")
+        self.number = QLabel()
+        name = f"sequence_{serial}"
+        self.kind = choice(f"{name}_kind", tr("Unit of how long step {} is", serial), KINDS)
+        self.name = edit(f"{name}_name", tr("Name of step {}", serial))
         self.name.setPlaceholderText(tr("name"))
-        self.length = edit(f"{name}_length", tr("How long step {} is", made))
-        self.speed_rpm = edit(f"{name}_speed", tr("Speed of step {}", made))
-        self.rest_s = edit(f"{name}_rest", tr("Rest after step {}", made))
+        self.length = edit(f"{name}_length", tr("How long step {} is", serial))
+        self.speed_rpm = edit(f"{name}_speed", tr("Speed of step {}", serial))
+        self.rest_s = edit(f"{name}_rest", tr("Rest after step {}", serial))
         self.rest_s.setPlaceholderText("0")
         self.note = prose(
-            f"{name}_note", tr("What is wrong with step {}, or where it is", made), role="caption"
+            f"{name}_note", tr("What is wrong with step {}, or where it is", serial), role="caption"
         )
-        self.sooner = button(f"{name}_sooner", "Earlier", spoken=tr("Put step {} earlier", made))
-        self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove step {}", made))
-        for one in (self.sooner, self.remove):
-            one.setProperty("rank", "quiet")
+        self.sooner = button(f"{name}_sooner", "Earlier", spoken=tr("Put step {} earlier", serial))
+        self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove step {}", serial))
+        for control in (self.sooner, self.remove):
+            control.setProperty("rank", "quiet")
         self.name.setFixedWidth(NAME_WIDTH)
         for line in (self.length, self.speed_rpm, self.rest_s):
             line.setFixedWidth(NUMBER_WIDTH)
@@ -269,7 +269,7 @@ class StepLine(QFrame):
         self.kind.currentIndexChanged.connect(self.changed)
 
     def _lay_out(self) -> None:
-        first = sentence_row(tr(SENTENCE), self._field, before=self.place)
+        first = sentence_row(tr(SENTENCE), self._field, before=self.number)
         second = row((self.note, 1), self.sooner, self.remove, spacing=STEP)
         column(first, second, on=self, margins=(0, STEP), spacing=STEP // 2)
 
@@ -277,20 +277,20 @@ class StepLine(QFrame):
         return getattr(self, name), None, False
 
     def _fill(self) -> None:
-        given = self._given
-        kind = "duration_s" if given.get("duration_s") is not None else "revolutions"
+        step = self._step
+        kind = "duration_s" if step.get("duration_s") is not None else "revolutions"
         self.kind.setCurrentIndex(self.kind.findData(kind))
-        self.length.setText(show_value(given.get(kind)))
-        self.name.setText(str(given.get("name", "")))
-        self.speed_rpm.setText(show_value(given.get("speed_rpm")))
-        self.rest_s.setText(show_value(given.get("rest_s")))
+        self.length.setText(show_value(step.get(kind)))
+        self.name.setText(str(step.get("name", "")))
+        self.speed_rpm.setText(show_value(step.get("speed_rpm")))
+        self.rest_s.setText(show_value(step.get("rest_s")))
 
     def read(self) -> tuple[dict[str, Any], list[str]]:
-        """Return the step as the file has it, and what is wrong with it; marks the fields."""
+        """Return the step as in the file, and what is wrong with it; mark the fields."""
         wrong: list[str] = []
         step = {
             key: value
-            for key, value in self._given.items()
+            for key, value in self._step.items()
             if key not in ("name", "revolutions", "duration_s", "speed_rpm", "rest_s")
         }
         if self.name.text().strip():
@@ -330,7 +330,7 @@ class StepLine(QFrame):
     def show_place(self, number: int, words: str) -> None:
         """Show the number of the step, and below it which revolutions it is."""
         self._words = words
-        self.place.setText(f"{number}.")
+        self.number.setText(f"{number}.")
         self.sooner.setEnabled(number > 1)
         if self.note.property("role") != "error":
             self.say(())
@@ -366,25 +366,25 @@ class SequenceCard(QGroupBox):
         self.none.setVisible(not self.rows)
 
     def read(self) -> tuple[list[dict[str, Any]], int]:
-        """Return the steps and how many of them are wrong, and say at each what is wrong."""
+        """Return the steps and how many of them are wrong; show at each what is wrong."""
         read = [line.read() for line in self.rows]
         for line, (_, wrong) in zip(self.rows, read, strict=True):
             line.say(wrong)
         return [step for step, _ in read], sum(1 for _, wrong in read if wrong)
 
     def show_places(self, test: TestFile | None) -> None:
-        """Say at each step which revolutions of a usable test it is first; None: not known."""
+        """Show the revolutions of each step of a usable test; None: not known."""
         known = test is not None and len(test.run.step) == len(self.rows)
         steps, first = Steps(test.run) if test is not None and known else None, 1
-        for place, line in enumerate(self.rows, start=1):
+        for count, line in enumerate(self.rows, start=1):
             if test is not None:
                 line.speed_rpm.setPlaceholderText(show_value(test.run.speed_rpm))
             stage = steps.at(first) if steps is not None else None
             if stage is None:
-                line.show_place(place, "")
+                line.show_place(count, "")
                 continue
             ramp, last = f"{stage.acceleration_rpm_per_s:g} rpm/s", grouped(stage.last)
-            line.show_place(place, tr("revolutions {} to {}, ramp {}", grouped(first), last, ramp))
+            line.show_place(count, tr("revolutions {} to {}, ramp {}", grouped(first), last, ramp))
             first = stage.last + 1
 
     def _begin(self) -> None:
@@ -403,11 +403,11 @@ class SequenceCard(QGroupBox):
         self.none.hide()
 
     def _sooner(self, line: StepLine, checked: bool = False) -> None:
-        at = self.rows.index(line)
-        if at > 0:
-            self.rows.insert(at - 1, self.rows.pop(at))
+        index = self.rows.index(line)
+        if index > 0:
+            self.rows.insert(index - 1, self.rows.pop(index))
             self._list.removeWidget(line)
-            self._list.insertWidget(at - 1, line)
+            self._list.insertWidget(index - 1, line)
             self.changed.emit()
 
     def _remove(self, line: StepLine, checked: bool = False) -> None:

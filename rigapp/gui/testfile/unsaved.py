@@ -1,4 +1,4 @@
-"""Ask what becomes of changes that are not saved, by their names."""
+"""Ask whether to save or discard changes, which are listed."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from rigapp.gui.widgets.build import button
 from rigapp.presentation.translation import tr
 
 NAMED = 4
-"""Changes named one by one; of more, the number is told."""
+"""Changes named one by one; more of them are counted."""
 
 
 class UnsavedBar(Bar):
-    """Name the changes; save them, discard them, or go on editing, which is the default.
+    """List the changes; save them, discard them, or go on editing, which is the default.
 
-    place: what it takes the place of while it asks.
+    replaced: the widget in whose place the bar is shown.
     """
 
-    def __init__(self, save: Callable[[], bool], place: QWidget) -> None:
+    def __init__(self, save: Callable[[], bool], replaced: QWidget) -> None:
         super().__init__("unsaved", "Changes that are not saved", "Changes that would be lost")
         self._save = save
-        self._place = place
+        self._replaced = replaced
         self._then: Callable[[], None] | None = None
         self.escape = self.put_away
         self.save = button("unsaved_save", "Save", self._save_first)
@@ -40,7 +40,7 @@ class UnsavedBar(Bar):
         discard = tr("Discard {} changes", len(changes)) if many else tr("Discard 1 change")
         self.discard.setText(discard)
         self.discard.setAccessibleName(discard)
-        self._place.hide()
+        self._replaced.hide()
         self.show()
         self.stay.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -48,7 +48,7 @@ class UnsavedBar(Bar):
         """Go on editing."""
         self._then = None
         self.hide()
-        self._place.show()
+        self._replaced.show()
 
     def _save_first(self) -> None:
         if self._save():

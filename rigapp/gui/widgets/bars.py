@@ -1,4 +1,4 @@
-"""A bar in the line of messages: it tells or asks something and covers nothing."""
+"""A bar in the line of messages: a statement or a question that covers nothing."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from rigapp.presentation.tokens import GAP, MARGIN, STEP
 from rigapp.presentation.translation import Text, tr
 
 TEXT_WIDTH = 34 * STEP
-"""Of the sentence beside the buttons; with less room they stand below it."""
+"""Of the sentence beside the buttons; with less room they are below it."""
 
 
 class Bar(QFrame):
-    """A sentence with buttons beside it, hidden until there is something to say.
+    """A sentence with buttons beside it, hidden until there is one.
 
     escape: what the key Esc does while the bar is shown, nothing unless it is set.
     """
@@ -42,7 +42,7 @@ class Bar(QFrame):
     def say(self, text: Text, details: str = "") -> None:
         """Show a sentence; nothing is laid out again when it is the one shown.
 
-        details: stand in its place while their button is down, so that the bar keeps its height.
+        details: shown in its place while their button is down, so that the bar keeps its height.
         """
         if details != self._details:
             self._details = details
@@ -57,7 +57,7 @@ class Bar(QFrame):
             self.text.setText(text)
 
     def show_when(self, wanted: bool) -> None:
-        """Show or hide the bar; nothing is done when it is so already."""
+        """Show or hide the bar, if that changes anything."""
         if self.isHidden() == wanted:
             self.setVisible(wanted)
 

@@ -1,4 +1,4 @@
-"""Make widgets with both their names: the stable one, and the one that is read aloud."""
+"""Make widgets with both their names: the object name, and the accessible name (read aloud)."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ Item = QWidget | QLayout | Text | None
 Margins = int | tuple[int, int] | tuple[int, int, int, int]
 
 BUTTON_FRAME = 26
-"""Left and right of a button's words: edges and padding, see ``look.sheet``."""
+"""Left and right of a button's words: edges and padding, see ``look.dress``."""
 HINT_FRAME = 4 * STEP
 """Around the hint of a line: its edges, and the sign that empties it."""
 Called = Callable[..., Any]
 
 
 class GuardedButton(QPushButton):
-    """A button that changes something at the rig: closed while another viewer has control.
+    """A button that changes something at the rig: disabled while another viewer has control.
 
-    What the panel wants (``setEnabled``, ``setToolTip``) is kept and comes back afterwards.
+    What the panel sets meanwhile (``setEnabled``, ``setToolTip``) takes effect afterwards.
     """
 
     def __init__(self, text: str = "") -> None:
@@ -61,21 +61,21 @@ class GuardedButton(QPushButton):
         self._wanted = enabled
         allowed = enabled and not self._why
         if allowed != self.isEnabled():
-            around = self.parentWidget()
-            if not allowed and self.hasFocus() and around is not None:
+            parent = self.parentWidget()
+            if not allowed and self.hasFocus() and parent is not None:
                 # Qt would give the focus to the next field, and scroll the page to it.
-                around.setFocus()
+                parent.setFocus()
             super().setEnabled(allowed)
-            if allowed and around is not None and around.hasFocus():
+            if allowed and parent is not None and parent.hasFocus():
                 self.setFocus()
 
     def setToolTip(self, tip: str) -> None:
-        """Take the tool tip; while forbidden, the reason is shown in its place."""
+        """Set the tool tip; while forbidden, the reason is shown in its place."""
         self._tip = tip
         self._show()
 
     def forbid(self, why: str) -> None:
-        """Close the button with a reason; an empty reason opens it again."""
+        """Disable the button with a reason; an empty reason enables it again."""
         if why != self._why:
             self._why = why
             self.setEnabled(self._wanted)
@@ -102,7 +102,7 @@ class WheelGuard(QObject):
 
 
 def steady_field(field: Field) -> Field:
-    """Return a field that takes the wheel with the focus only, its number where texts begin."""
+    """Return a field that takes the wheel only with the focus, its number aligned with texts."""
     field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     field.installEventFilter(WheelGuard(field))
     if isinstance(field, QAbstractSpinBox):
@@ -112,7 +112,7 @@ def steady_field(field: Field) -> Field:
 
 
 def named(widget: Made, name: str, spoken: Text, tip: Text = "", *, role: str = "") -> Made:
-    """Set a widget's names, its tool tip where there is one, and its role (see ``look.sheet``)."""
+    """Set a widget's names, its tool tip where there is one, and its role (see ``look.dress``)."""
     widget.setObjectName(name)
     widget.setAccessibleName(tr(spoken))
     if role:
@@ -123,12 +123,12 @@ def named(widget: Made, name: str, spoken: Text, tip: Text = "", *, role: str = 
 
 
 def key_text(key: str) -> str:
-    """Return a key as keyboards of the window's language bear it: "Strg+5" in German."""
+    """Return a key as named on keyboards of the window's language: "Strg+5" in German."""
     return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
 
 
 def tell(widget: QWidget, name: str, value: object) -> None:
-    """Tell a widget what it is now (see ``look.sheet``); it is styled anew where that changed."""
+    """Set a property of a widget (see ``look.dress``); where it changed, style the widget anew."""
     if widget.property(name) != value:
         widget.setProperty(name, value)
         style = widget.style()
@@ -147,45 +147,44 @@ def button(
     checkable: bool = False,
     rank: str = "",
 ) -> QPushButton:
-    """Return a button; guarded: closed while another viewer has control.
+    """Return a button; guarded: disabled while another viewer has control.
 
-    rank: primary, dangerous or quiet (see ``look.sheet``), ordinary unless told.
-
-    spoken: its text without access key and dots unless told. A checkable button calls with its
-    new state, any other without arguments.
+    rank: primary, dangerous or quiet (see ``look.dress``), by default ordinary. spoken: by default
+    its text without access key and dots. A checkable button calls with its new state, any other
+    without arguments.
     """
     text = tr(text)
     plain = text.replace("&", "").rstrip("…").strip()
     kind = GuardedButton if guarded else QPushButton
-    made = named(kind(text), name, spoken or plain, tip)
+    control = named(kind(text), name, spoken or plain, tip)
     if rank:
-        made.setProperty("rank", rank)
+        control.setProperty("rank", rank)
     if checkable:
-        made.setCheckable(True)
-        # Chosen, its words are bold (``look.sheet``): it keeps the room for them.
-        bold = made.font()
+        control.setCheckable(True)
+        # When checked its words are bold (``look.dress``): it keeps the room for them.
+        bold = control.font()
         bold.setWeight(QFont.Weight.DemiBold)
         words = QFontMetrics(bold).size(Qt.TextFlag.TextShowMnemonic, text).width()
-        made.setMinimumWidth(words + BUTTON_FRAME)
+        control.setMinimumWidth(words + BUTTON_FRAME)
         if call is not None:
-            made.toggled.connect(call)
+            control.toggled.connect(call)
     elif call is not None:
-        # A method is held weakly by the signal, which a function around it would not be.
-        made.clicked.connect(call if inspect.ismethod(call) else lambda: call())
-    return made
+        # The signal holds a method weakly, but a function around it strongly.
+        control.clicked.connect(call if inspect.ismethod(call) else lambda: call())
+    return control
 
 
 def edit(
     name: str, spoken: Text, changed: Called | None = None, *, hint: Text = "", most: int = 0
 ) -> QLineEdit:
     """Return a line to type in; most: characters it takes, 0 for any number."""
-    made = named(QLineEdit(), name, spoken)
-    made.setPlaceholderText(tr(hint))
+    line = named(QLineEdit(), name, spoken)
+    line.setPlaceholderText(tr(hint))
     if most:
-        made.setMaxLength(most)
+        line.setMaxLength(most)
     if changed is not None:
-        made.textChanged.connect(changed)
-    return made
+        line.textChanged.connect(changed)
+    return line
 
 
 def fit_hint(line: QLineEdit) -> None:
@@ -197,35 +196,35 @@ def fit_hint(line: QLineEdit) -> None:
 def choice(
     name: str, spoken: Text, items: Iterable[tuple[Text, Any]], chosen: Called | None = None
 ) -> QComboBox:
-    """Return a box to choose from; items: text and the value that it stands for."""
-    made = named(steady_field(QComboBox()), name, spoken)
-    made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+    """Return a box to choose from; items: text and value."""
+    box = named(steady_field(QComboBox()), name, spoken)
+    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     for text, value in items:
-        made.addItem(tr(text), value)
+        box.addItem(tr(text), value)
     if chosen is not None:
-        made.currentIndexChanged.connect(chosen)
-    return made
+        box.currentIndexChanged.connect(chosen)
+    return box
 
 
 def searched(box: QComboBox) -> QComboBox:
-    """Let a box of many items be searched: what is typed may stand anywhere in an item's words."""
+    """Make a box of many items searchable: what is typed may be anywhere in an item's words."""
     box.setEditable(True)
     box.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
-    line, found = box.lineEdit(), box.completer()
+    line, completer = box.lineEdit(), box.completer()
     assert line is not None  # an editable box has both
-    assert found is not None
+    assert completer is not None
     line.setObjectName(f"{box.objectName()}_search")
     line.setAccessibleName(box.accessibleName())
-    found.setFilterMode(Qt.MatchFlag.MatchContains)
-    found.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
-    found.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-    # What names no item is no choice: the one that holds comes back.
+    completer.setFilterMode(Qt.MatchFlag.MatchContains)
+    completer.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
+    completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
+    # A text that names no item is no choice: restore that of the present item.
     line.editingFinished.connect(lambda: box.setEditText(box.itemText(box.currentIndex())))
     return box
 
 
 def add_group(box: QComboBox, items: Mapping[str, str]) -> None:
-    """Add items, names and words, to a box; a line parts them from those before."""
+    """Add items, names and words, to a box, after a line."""
     if box.count() and items:
         box.insertSeparator(box.count())
     for name, text in items.items():
@@ -242,27 +241,27 @@ def choose(box: QComboBox, name: object) -> None:
 
 def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
     """Return a field for a whole number, read when it is complete."""
-    made = named(steady_field(QSpinBox()), name, spoken)
-    made.setRange(low, high)
-    made.setGroupSeparatorShown(True)
-    made.setKeyboardTracking(False)
-    return made
+    box = named(steady_field(QSpinBox()), name, spoken)
+    box.setRange(low, high)
+    box.setGroupSeparatorShown(True)
+    box.setKeyboardTracking(False)
+    return box
 
 
 def styled_label(text: Text, role: str) -> QLabel:
-    """Return a label that names what stands beside or below it; role: see ``look.sheet``."""
-    made = QLabel(tr(text))
-    made.setProperty("role", role)
-    return made
+    """Return a label that names what is beside or below it; role: see ``look.dress``."""
+    label = QLabel(tr(text))
+    label.setProperty("role", role)
+    return label
 
 
 def prose(name: str, spoken: Text, text: Text = "", *, role: str = "") -> QLabel:
     """Return a label for whole sentences."""
-    made = named(QLabel(tr(text)), name, spoken, role=role)
-    made.setTextFormat(Qt.TextFormat.PlainText)
-    made.setWordWrap(True)
-    made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
-    return made
+    label = named(QLabel(tr(text)), name, spoken, role=role)
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    label.setWordWrap(True)
+    label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+    return label
 
 
 def row(
@@ -272,8 +271,8 @@ def row(
     spacing: int | None = None,
 ) -> QHBoxLayout:
     """Return items side by side, by default with the style's distances; see ``filled``."""
-    made = filled(QHBoxLayout(on) if on is not None else QHBoxLayout(), items)
-    return spaced(made, margins, spacing)
+    layout = filled(QHBoxLayout(on) if on is not None else QHBoxLayout(), items)
+    return spaced(layout, margins, spacing)
 
 
 def column(
@@ -283,12 +282,12 @@ def column(
     spacing: int = 2,
 ) -> QVBoxLayout:
     """Return items below each other, by default close together; see ``filled``."""
-    made = filled(QVBoxLayout(on) if on is not None else QVBoxLayout(), items)
-    return spaced(made, margins, spacing)
+    layout = filled(QVBoxLayout(on) if on is not None else QVBoxLayout(), items)
+    return spaced(layout, margins, spacing)
 
 
 def spaced(layout: Layout, margins: Margins | None, spacing: int | None) -> Layout:
-    """Set the distances of a layout, in pixels; None leaves what the style says.
+    """Set the distances of a layout, in pixels; None leaves those of the style.
 
     margins: on all sides; or beside, above and below; or left, top, right, bottom.
     """
@@ -317,8 +316,8 @@ def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
     A text is the caption of the widget after it and has its access key; None is room to stretch.
     """
     caption: QLabel | None = None
-    for one in items:
-        item, stretch = one if isinstance(one, tuple) else (one, 0)
+    for entry in items:
+        item, stretch = entry if isinstance(entry, tuple) else (entry, 0)
         if item is None:
             layout.addStretch(1)
         elif isinstance(item, str):
@@ -335,20 +334,20 @@ def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
 
 
 def follow_in_tab_order(*widgets: QWidget) -> None:
-    """Let the key Tab visit widgets one after the other, after the first one's place."""
+    """Put widgets one after the other in the order of the key Tab, from the first one's place."""
     for first, then in pairwise(widgets):
         QWidget.setTabOrder(first, then)
 
 
 def page(*items: Item | tuple[Item, int]) -> QWidget:
     """Return a widget that holds items below each other."""
-    made = QWidget()
-    column(*items, on=made)
-    return made
+    widget = QWidget()
+    column(*items, on=widget)
+    return widget
 
 
 def scrolling(name: str, spoken: Text, inside: QWidget) -> QScrollArea:
-    """Return what scrolls up and down only, and takes what height there is."""
+    """Return an area that scrolls up and down only, and takes the available height."""
     area = named(QScrollArea(), name, spoken)
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -368,17 +367,17 @@ def split(
     spoken: Text = "Divided panels",
 ) -> QSplitter:
     """Return parts with movable borders between them."""
-    made = named(QSplitter(orientation), name, spoken)
-    made.setChildrenCollapsible(False)
-    made.setHandleWidth(GAP)
+    splitter = named(QSplitter(orientation), name, spoken)
+    splitter.setChildrenCollapsible(False)
+    splitter.setHandleWidth(GAP)
     for part in parts:
-        made.addWidget(part)
-    made.setSizes(list(sizes))
-    return made
+        splitter.addWidget(part)
+    splitter.setSizes(list(sizes))
+    return splitter
 
 
 def take_away(line: QWidget, layout: QBoxLayout) -> None:
-    """Take a line out of a list and destroy it; it is hidden at once, not at the next event."""
+    """Remove a line from a list and destroy it; it is hidden at once, not at the next event."""
     layout.removeWidget(line)
     line.hide()
     line.deleteLater()
@@ -387,7 +386,7 @@ def take_away(line: QWidget, layout: QBoxLayout) -> None:
 def choose_paths(
     parent: QWidget, title: Text, chosen: Called, mode: QFileDialog.FileMode, files: Text = ""
 ) -> None:
-    """Let somebody choose files or a folder, beside the window, so that Stop can be pressed.
+    """Show a dialog for files or a folder, not modal, so that Stop can be pressed.
 
     chosen: called with the paths, a list of texts. files: what they are, with their endings.
     """

@@ -10,11 +10,11 @@ from PySide6.QtCore import QObject, QTimer
 Call = Callable[[], object]
 
 TURN_MS = 10
-"""Between two pieces: so long is a look for news, and short enough for what is watched."""
+"""Between two pieces: as long as an update by news, and too short to be seen."""
 
 
 class ChunkedTask(QTimer):
-    """Make calls in their order, each in a turn of the event loop of its own."""
+    """Make calls in their order, each in its own turn of the event loop."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)

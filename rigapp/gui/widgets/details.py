@@ -1,4 +1,4 @@
-"""Details of a text, folded: what a library said, a register, an address; a button unfolds them."""
+"""Details of a text, folded: a message of a library, a register, an address."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from rigapp.gui.widgets.build import Called, button, column, prose, row
 
 def details_button(name: str, unfolded: Called) -> QPushButton:
     """Return the button that unfolds details, hidden until there are any."""
-    made = button(f"{name}_more", "Details", unfolded, checkable=True, rank="quiet")
-    made.hide()
-    return made
+    more = button(f"{name}_more", "Details", unfolded, checkable=True, rank="quiet")
+    more.hide()
+    return more
 
 
 class FoldedDetails(QWidget):
@@ -28,7 +28,7 @@ class FoldedDetails(QWidget):
         self.hide()
 
     def show_details(self, details: str) -> None:
-        """Take details, folded where they are new ones; nothing is shown without any."""
+        """Set the details, folded where they are new ones; without any nothing is shown."""
         if details != self.details.text():
             self.details.setText(details)
             self.more.setChecked(False)

@@ -1,4 +1,4 @@
-"""Labels of one line: cut with an ellipsis, or set smaller, where there is no room for them."""
+"""Labels of one line: cut with an ellipsis, or set smaller, where there is no room."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ SMALLEST = 0.5
 
 def heading(name: str, text: Text, points: float = BODY_PT) -> QLabel:
     """Return the heading of a card, in the weight of headings."""
-    made = QLabel(tr(text))
-    made.setObjectName(name)
-    made.setAccessibleName(made.text())
-    made.setFont(sized(made.font(), points, QFont.Weight.DemiBold))
-    return made
+    label = QLabel(tr(text))
+    label.setObjectName(name)
+    label.setAccessibleName(label.text())
+    label.setFont(sized(label.font(), points, QFont.Weight.DemiBold))
+    return label
 
 
 class ElidedLabel(QLabel):
-    """Show one line, cut with an ellipsis where it does not fit; the tool tip has it whole."""
+    """Show one line, cut with an ellipsis where it does not fit; the tool tip has the full text."""
 
     def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
@@ -41,7 +41,7 @@ class ElidedLabel(QLabel):
     def show_text(self, text: Text, short: Text = "") -> None:
         """Show a text; nothing is repainted when it is the one shown.
 
-        short: what stands in its place where there is no room for it.
+        short: shown in its place where there is no room for it.
         """
         text, short = tr(text), tr(short)
         if (text, short) != (self._whole, self._short):
@@ -69,13 +69,13 @@ class ElidedLabel(QLabel):
 
 
 class ShortLabel(ElidedLabel):
-    """Show one line, or its short text where there is no room for it: that one has it always."""
+    """Show one line, or its short text, for which there is always room."""
 
     def show_text(self, text: Text, short: Text = "") -> None:
         """Show a text; see ``ElidedLabel``."""
-        around = self.contentsMargins()
+        margins = self.contentsMargins()
         needs = QFontMetrics(self.font()).horizontalAdvance(tr(short) or "–")
-        self.setMinimumWidth(needs + around.left() + around.right() + 2)
+        self.setMinimumWidth(needs + margins.left() + margins.right() + 2)
         super().show_text(text, short)
 
 
@@ -95,9 +95,9 @@ class FewLinesLabel(ElidedLabel):
         def fits(text: str) -> bool:
             return room.height() >= metrics.boundingRect(room, WRAPPED, text).height()
 
-        whole = self._whole
-        over = bisect_left(range(len(whole)), True, key=lambda end: not fits(f"{whole[:end]}…"))
-        self.setText(whole if fits(whole) else f"{whole[: max(over - 1, 0)].rstrip()}…")
+        text = self._whole
+        over = bisect_left(range(len(text)), True, key=lambda end: not fits(f"{text[:end]}…"))
+        self.setText(text if fits(text) else f"{text[: max(over - 1, 0)].rstrip()}…")
 
 
 class FittedLabel(ElidedLabel):
@@ -108,7 +108,7 @@ class FittedLabel(ElidedLabel):
         self.set_largest(font)
 
     def set_largest(self, font: QFont) -> None:
-        """Take the font that is used where there is room for it."""
+        """Set the font that is used where there is room for it."""
         self._largest = font
         self.setFont(font)
         self.setFixedHeight(QFontMetrics(font).height())
@@ -131,7 +131,7 @@ class FittedLabel(ElidedLabel):
 
 
 def scaled_font(widget: QWidget, factor: float, *, bold: bool = False) -> QFont:
-    """Return the widget's font times a factor: sizes follow the user's font, never pixels."""
+    """Return the widget's font times a factor."""
     font = QFont(widget.font())
     font.setPointSizeF(font.pointSizeF() * factor)
     font.setBold(bold)

@@ -1,4 +1,4 @@
-"""Rows and divided panels that go on below where the window is too narrow for them."""
+"""Rows and divided panels that wrap where the window is too narrow for them."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Line = list[tuple[QLayoutItem, QSize]]
 
 
 class WrappingRow(QLayout):
-    """Widgets beside each other, at their own widths; those that find no room go to a next line.
+    """Widgets beside each other, at their own widths; those without room wrap to a next line.
 
-    What has a stretch takes what is left of its line, and a spacer does so where nothing else does.
+    Items with a stretch take the rest of their line, and a spacer does so where no item does.
     """
 
     def __init__(self, on: QWidget | None = None) -> None:
@@ -28,19 +28,19 @@ class WrappingRow(QLayout):
         self._items: list[QLayoutItem] = []
         self._stretching: set[QWidget] = set()
         self._tall = 0
-        # Asked for hundreds of times while a page is laid out; as Qt's own layouts keep it.
+        # Needed hundreds of times while a page is laid out; Qt's own layouts store it, too.
         self._heights: dict[int, int] = {}
         self.setContentsMargins(QMargins())
         self.setSpacing(GAP)
 
     def add(self, widget: QWidget, stretch: int) -> None:
-        """Put a widget at the end; with a stretch it takes what is left of its line."""
+        """Add a widget at the end; with a stretch it takes the rest of its line."""
         self.addWidget(widget)
         if stretch:
             self._stretching.add(widget)
 
     def addItem(self, item: QLayoutItem) -> None:
-        """Take an item at the end."""
+        """Add an item at the end."""
         self._items.append(item)
 
     def count(self) -> int:
@@ -52,31 +52,31 @@ class WrappingRow(QLayout):
         return self._items[index] if 0 <= index < len(self._items) else None
 
     def takeAt(self, index: int) -> QLayoutItem | None:
-        """Give an item back, None beyond the last."""
+        """Remove and return an item, None beyond the last."""
         return self._items.pop(index) if 0 <= index < len(self._items) else None
 
     def expandingDirections(self) -> Qt.Orientation:
-        """Take the width that there is, and the height where an item does."""
+        """Take the available width, and the height where an item does."""
         seen = [(item, QSize()) for item in self._seen() if item.spacerItem() is None]
         tall = Qt.Orientation.Vertical if _grows(seen) else Qt.Orientation(0)
         return Qt.Orientation.Horizontal | tall
 
     def hasHeightForWidth(self) -> bool:
-        """Say that the height follows from the width."""
+        """Return True: the height follows from the width."""
         return True
 
     def heightForWidth(self, width: int) -> int:
         """Return the height of all lines at a width, in pixels."""
         if width not in self._heights:
-            around = self.contentsMargins()
-            lines = self._lines(width - around.left() - around.right())
+            margins = self.contentsMargins()
+            lines = self._lines(width - margins.left() - margins.right())
             gaps = self.spacing() * max(len(lines) - 1, 0)
-            high = sum(map(_height, lines)) + gaps + around.top() + around.bottom()
+            high = sum(map(_height, lines)) + gaps + margins.top() + margins.bottom()
             self._heights[width] = high
         return self._heights[width]
 
     def invalidate(self) -> None:
-        """Forget the heights: something in it has another size."""
+        """Drop the stored heights: an item has another size."""
         self._heights.clear()
         super().invalidate()
 
@@ -89,20 +89,20 @@ class WrappingRow(QLayout):
     def minimumSize(self) -> QSize:
         """Return the width of the widest item, and the height of the lines as they are laid now.
 
-        So those know it too that do not ask for the height at a width, as a splitter.
+        So it is right also for what does not request the height at a width, as a splitter.
         """
         seen = self._seen()
         wide = max((item.minimumSize().width() for item in seen), default=0)
         least = self._framed(
-            wide, [one.minimumSize() for one in seen if not one.hasHeightForWidth()]
+            wide, [item.minimumSize() for item in seen if not item.hasHeightForWidth()]
         )
         return least.expandedTo(QSize(0, self._tall))
 
     def _framed(self, width: int, sizes: Sequence[QSize]) -> QSize:
-        around = self.contentsMargins()
+        margins = self.contentsMargins()
         height = max((size.height() for size in sizes), default=0)
         return QSize(
-            width + around.left() + around.right(), height + around.top() + around.bottom()
+            width + margins.left() + margins.right(), height + margins.top() + margins.bottom()
         )
 
     def setGeometry(self, rect: QRect) -> None:
@@ -120,13 +120,13 @@ class WrappingRow(QLayout):
             self._lay(line, QRect(room.x(), y, room.width(), height))
             y += height + self.spacing()
         tall, on = self.heightForWidth(rect.width()), self.parentWidget()
-        # Before the window is shown no width is the one that stays.
+        # Before the window is shown no width is final.
         if tall != self._tall and on is not None and on.window().isVisible():
             self._tall = tall
             self.update()
 
     def _seen(self) -> list[QLayoutItem]:
-        return [one for one in self._items if one.spacerItem() is not None or not one.isEmpty()]
+        return [item for item in self._items if item.spacerItem() is not None or not item.isEmpty()]
 
     def _lines(self, width: int) -> list[Line]:
         lines: list[Line] = []
@@ -152,7 +152,7 @@ class WrappingRow(QLayout):
         more = max(over, 0) // max(len(greedy), 1)
         return [
             (item, QSize(size.width() + more, size.height()))
-            if any(item is one for one in greedy)
+            if any(item is stretched for stretched in greedy)
             else (item, size)
             for item, size in line
         ]
@@ -188,22 +188,22 @@ def _grows(line: Line) -> bool:
 
 
 def flowing(*items: Item | tuple[Item, int], on: QWidget | None = None) -> WrappingRow:
-    """Return items side by side, going on in a next line; see ``build.filled``.
+    """Return items side by side, wrapping to a next line; see ``build.filled``.
 
     A caption stays with the widget after it.
     """
-    made = WrappingRow(on)
+    layout = WrappingRow(on)
     caption: Text = ""
-    for one in items:
-        item, stretch = one if isinstance(one, tuple) else (one, 0)
+    for entry in items:
+        item, stretch = entry if isinstance(entry, tuple) else (entry, 0)
         if item is None:
-            made.addItem(QSpacerItem(0, 0))
+            layout.addItem(QSpacerItem(0, 0))
         elif isinstance(item, str):
             caption = item
         elif isinstance(item, QWidget):
-            made.add(_captioned(caption, item, stretch) if caption else item, stretch)
+            layout.add(_captioned(caption, item, stretch) if caption else item, stretch)
             caption = ""
-    return made
+    return layout
 
 
 SentencePart = tuple[QWidget, QWidget | None, bool]
@@ -215,32 +215,32 @@ def sentence_row(
 ) -> WrappingRow:
     """Return a sentence with fields in the place of its braces; it wraps between them.
 
-    The words before a field, and the unit behind it, stay with it. before: what stands first.
+    The words before a field, and the unit behind it, stay with it. before: the first widget.
     """
-    made = WrappingRow()
-    made.setSpacing(STEP)
+    layout = WrappingRow()
+    layout.setSpacing(STEP)
     if before is not None:
-        made.add(before, 0)
+        layout.add(before, 0)
     for words, name, _, _ in Formatter().parse(sentence):
         label = QLabel(words.strip())
         if name is None:
-            made.add(label, 0)
+            layout.add(label, 0)
             continue
         field, unit, wide = field_of(name)
         label.setBuddy(field)
         before = label if label.text() else None
-        made.add(together(before, (field, int(wide)), unit), int(wide))
-    return made
+        layout.add(together(before, (field, int(wide)), unit), int(wide))
+    return layout
 
 
 def together(*parts: QWidget | tuple[QWidget, int] | None) -> QWidget:
     """Return parts that stay side by side; those that are None are left out."""
-    there = [one for one in parts if one is not None]
-    if len(there) == 1:
-        return there[0][0] if isinstance(there[0], tuple) else there[0]
-    made = QWidget()
-    row(*there, on=made, margins=0, spacing=STEP)
-    return made
+    shown = [part for part in parts if part is not None]
+    if len(shown) == 1:
+        return shown[0][0] if isinstance(shown[0], tuple) else shown[0]
+    widget = QWidget()
+    row(*shown, on=widget, margins=0, spacing=STEP)
+    return widget
 
 
 def _captioned(caption: Text, field: QWidget, stretch: int) -> QWidget:
@@ -251,7 +251,7 @@ def _captioned(caption: Text, field: QWidget, stretch: int) -> QWidget:
 
 
 class WrappingGrid(WrappingRow):
-    """Cards of equal width beside each other, as many as have their least width, at most two."""
+    """Cards of equal width beside each other: as many as have their least width, but not more."""
 
     def __init__(self, least: int, most: int = 2, on: QWidget | None = None) -> None:
         super().__init__(on)
@@ -263,13 +263,13 @@ class WrappingGrid(WrappingRow):
         across = max(1, min(fits, self._most, len(seen)))
         wide = (width - (across - 1) * self.spacing()) // across
         cards = [(item, QSize(wide, _wanted(item).height())) for item in seen]
-        return [cards[at : at + across] for at in range(0, len(cards), across)]
+        return [cards[first : first + across] for first in range(0, len(cards), across)]
 
 
 class FoldingSplitter(QSplitter):
     """Panels beside each other with movable borders; below each other in a narrow window.
 
-    width: in pixels, what they need to stand beside each other.
+    width: what they need beside each other, in pixels.
     """
 
     def __init__(self, name: str, width: int, spoken: Text = "Divided panels") -> None:
@@ -283,7 +283,7 @@ class FoldingSplitter(QSplitter):
         self.splitterMoved.connect(self._moved)
 
     def divide(self, *parts: tuple[QWidget, int, int]) -> Self:
-        """Take panels, each with its width beside the others and its height below them."""
+        """Add panels, each with its width beside the others and its height below them."""
         for part, _, _ in parts:
             self.addWidget(part)
         self._sizes = [width for _, width, _ in parts]
@@ -293,19 +293,19 @@ class FoldingSplitter(QSplitter):
 
     @property
     def folded(self) -> bool:
-        """Tell whether the panels stand below each other."""
+        """Tell whether the panels are below each other."""
         return self.orientation() is Qt.Orientation.Vertical
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Turn to where the panels have room."""
+        """Turn the splitter where the panels need it."""
         super().resizeEvent(event)
         if (self.width() < self._least) is not self.folded:
             self._turn(folded=not self.folded)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the width of the widest panel: the others can stand below it."""
+        """Return the width of the widest panel: the others can be below it."""
         least = super().minimumSizeHint()
-        parts = [part for at in range(self.count()) if (part := self.widget(at)) is not None]
+        parts = [part for index in range(self.count()) if (part := self.widget(index)) is not None]
         wide = max((part.minimumSizeHint().width() for part in parts), default=0)
         return QSize(wide, least.height())
 

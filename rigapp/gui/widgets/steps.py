@@ -18,7 +18,7 @@ SIGN = QSize(2 * STEP + 4, 2 * STEP + 4)
 
 @dataclass(frozen=True, slots=True)
 class ShownStep:
-    """One step: its name, how it stands in words, and whether it is done or under way."""
+    """One step: its name, its state in words, and whether it is done or under way."""
 
     name: Text
     line: Text
@@ -27,7 +27,7 @@ class ShownStep:
 
 
 class StepRow(QWidget):
-    """A sign for done, now or later, the step, and how it stands."""
+    """A sign for done, now or later, the step, and its state."""
 
     def __init__(self, prefix: str, number: int) -> None:
         super().__init__()

@@ -31,7 +31,7 @@ HEADING_FRAME, WORD_FRAME = 2 * STEP, STEP
 """Around a word of a heading and of a cell, in pixels."""
 LONG_WORD = 20
 """Characters; shorter ones stay whole, as a date."""
-ROWS_LOOKED_AT = 50
+MEASURED_ROWS = 50
 """First rows of a table whose words are given room."""
 ROW_LINES = 1.5
 """Height of a row that does not wrap, in lines of text: room above and below it."""
@@ -48,22 +48,22 @@ class MarkDelegate(QStyledItemDelegate):
 
 
 def shared(wanted: Mapping[int, int], least: Mapping[int, int], room: int) -> dict[int, int]:
-    """Return a width for each column: what it wants, the widest ones less where there is no room.
+    """Return a width for each column: as wanted, less for the widest where there is no room.
 
-    All in pixels; least: what none goes below.
+    All in pixels; least: the minima.
     """
     over = sum(wanted.values()) > room
     low, cap = 0, max(wanted.values(), default=0)
     while over and cap - low > 1:
         middle = (low + cap) // 2
-        taken = sum(max(min(wide, middle), least[at]) for at, wide in wanted.items())
+        taken = sum(max(min(wide, middle), least[column]) for column, wide in wanted.items())
         low, cap = (low, middle) if taken > room else (middle, cap)
     cap = low if over else cap
-    return {at: max(min(wide, cap), least[at]) for at, wide in wanted.items()}
+    return {column: max(min(wide, cap), least[column]) for column, wide in wanted.items()}
 
 
 def _unbroken(word: str) -> list[str]:
-    """Return what of a word no line breaks: a long path breaks behind its strokes.
+    """Return the parts of a word within which no line breaks: a path breaks behind its slashes.
 
     Behind a hyphen a line breaks before letters only (Unicode line breaking, rule LB25).
     """
@@ -74,8 +74,8 @@ class PlainTable(QTableWidget):
     """A table to read: rows of texts, repainted only where a text changed.
 
     It never scrolls sideways: texts wrap where there is no room for them. marked: the column that a
-    mark colours. stretch: columns that share what room is left, in the place of the last
-    one. cut: columns of names that others have chosen, which may be cut; tool tips have them whole.
+    mark colours. stretch: columns that share the remaining room, by default the last one. cut:
+    columns of names chosen by users, which may be cut; tool tips have the full names.
     """
 
     def __init__(
@@ -92,7 +92,7 @@ class PlainTable(QTableWidget):
         named(self, name, spoken)
         self._marked = marked
         self._wraps = False
-        self.setHorizontalHeaderLabels([tr(one) for one in headings])
+        self.setHorizontalHeaderLabels([tr(heading) for heading in headings])
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -116,13 +116,13 @@ class PlainTable(QTableWidget):
         marks: Sequence[Mark] = (),
         tip: Callable[[str], str] = str,
     ) -> None:
-        """Show rows; marks: one a row, or none. tip: what a text's tool tip says."""
+        """Show rows; marks: one for each row, or none. tip: makes the tool tip of a text."""
         changed = self.rowCount() != len(rows)
         if changed:
             self.setRowCount(len(rows))
         for row, texts in enumerate(rows):
-            for at, text in enumerate(texts):
-                item = self.item(row, at) or self._new_item(row, at)
+            for column, text in enumerate(texts):
+                item = self.item(row, column) or self._new_item(row, column)
                 if item.text() != text:
                     item.setText(text)
                     item.setToolTip(tip(text))
@@ -137,30 +137,30 @@ class PlainTable(QTableWidget):
         return int(ROW_LINES * self.fontMetrics().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Share the width anew."""
+        """Divide the width anew."""
         super().resizeEvent(event)
         self._fit()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Share the width as the style has it now."""
+        """Divide the width as the style requires it now."""
         super().showEvent(event)
         self._fit()
 
     def _fit(self) -> None:
-        """Give each column what its texts need; where there is no room for that, they wrap."""
+        """Set the widths that the texts need; where there is no room for that, they wrap."""
         if not self.isVisible():
             return
         header, room = self.horizontalHeader(), self.viewport().width()
-        shown = [at for at in range(self.columnCount()) if not self.isColumnHidden(at)]
+        shown = [column for column in range(self.columnCount()) if not self.isColumnHidden(column)]
         wanted = {at: max(self.sizeHintForColumn(at), header.sectionSizeHint(at)) for at in shown}
         widths = shared(wanted, {at: self._longest_word(at) for at in shown}, room)
-        greedy = [at for at in self._stretch if at in shown] or shown[-1:]
+        greedy = [column for column in self._stretch if column in shown] or shown[-1:]
         more = max(room - sum(widths.values()), 0) // max(len(greedy), 1)
-        for at in greedy:
-            widths[at] += more
-        self._wraps = any(widths[at] < wanted[at] for at in shown)
-        for at, wide in widths.items():
-            header.resizeSection(at, wide)
+        for column in greedy:
+            widths[column] += more
+        self._wraps = any(widths[column] < wanted[column] for column in shown)
+        for column, wide in widths.items():
+            header.resizeSection(column, wide)
         if not self._wraps and self._fitted:
             for row in range(self.rowCount()):
                 self.setRowHeight(row, self._line_height)
@@ -168,7 +168,7 @@ class PlainTable(QTableWidget):
         self._fit_rows()
 
     def _fit_rows(self) -> None:
-        """Give the rows that are seen the height that their wrapped texts need."""
+        """Set the heights of the visible rows to what their wrapped texts need."""
         if not self._wraps:
             return
         first, last = max(self.rowAt(0), 0), self.rowAt(self.viewport().height())
@@ -177,28 +177,28 @@ class PlainTable(QTableWidget):
             if self.rowHeight(row) != tall:
                 self.setRowHeight(row, tall)
 
-    def _longest_word(self, at: int) -> int:
+    def _longest_word(self, column: int) -> int:
         """Return the width that the longest word of a column needs, in pixels."""
-        rows = 0 if at in self._cut else min(self.rowCount(), ROWS_LOOKED_AT)
-        cells = [self.item(row, at) for row in range(rows)]
-        wide = HEADING_FRAME + self._widest([self.horizontalHeaderItem(at)])
+        rows = 0 if column in self._cut else min(self.rowCount(), MEASURED_ROWS)
+        cells = [self.item(row, column) for row in range(rows)]
+        wide = HEADING_FRAME + self._widest([self.horizontalHeaderItem(column)])
         return max(wide, WORD_FRAME + self._widest(cells))
 
     def _widest(self, items: Sequence[QTableWidgetItem | None]) -> int:
-        texts = [one.text() for one in items if one is not None]
+        texts = [item.text() for item in items if item is not None]
         words = {part for text in texts for word in text.split() for part in _unbroken(word)}
         return max(map(self.fontMetrics().horizontalAdvance, words), default=0)
 
-    def _new_item(self, row: int, at: int) -> QTableWidgetItem:
+    def _new_item(self, row: int, column: int) -> QTableWidgetItem:
         item = QTableWidgetItem()
         item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.setItem(row, at, item)
+        self.setItem(row, column, item)
         return item
 
     def _mark(self, row: int, mark: Mark) -> None:
         item = self.item(row, self._marked)
         if item is not None:
-            back, ink = (QBrush(QColor(one)) for one in mark) if mark else (None, None)
+            back, ink = (QBrush(QColor(colour)) for colour in mark) if mark else (None, None)
             item.setData(Qt.ItemDataRole.BackgroundRole, back)
             item.setData(Qt.ItemDataRole.ForegroundRole, ink)
 
@@ -207,7 +207,7 @@ class PlainTable(QTableWidget):
         return sorted({index.row() for index in self.selectedIndexes()})
 
     def chosen(self) -> int | None:
-        """Return the chosen row, the first one of several; None where none is."""
+        """Return the chosen row, the first of several; None without one."""
         return next(iter(self.all_chosen()), None)
 
     def chosen_of(self, rows: Sequence[Row]) -> Row | None:
@@ -219,8 +219,8 @@ class PlainTable(QTableWidget):
         """Return what is shown."""
         return [
             [
-                item.text() if (item := self.item(row, at)) is not None else ""
-                for at in range(self.columnCount())
+                item.text() if (item := self.item(row, column)) is not None else ""
+                for column in range(self.columnCount())
             ]
             for row in range(self.rowCount())
         ]

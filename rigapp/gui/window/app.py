@@ -23,9 +23,9 @@ from rigapp.viewer.showntest import ShownTest
 
 log = logging.getLogger(__name__)
 
-LOOK_MS = 200  # Ctrl-C is obeyed at once, to a person
+LOOK_MS = 200  # Ctrl-C takes effect at once, to a person
 LOADED_MS = 3000
-"""By then the window is drawn and the engine has been heard: what was made so far stays."""
+"""By then the window is drawn and the engine has answered: the objects made so far stay."""
 
 
 def main(
@@ -40,11 +40,11 @@ def main(
     """Show the window until it is closed; return the exit status.
 
     client_factory: makes a client of the engine, on a worker thread, at the start and again
-    whenever the engine is lost; it may take its time and may raise.
-    start_test: a test to start as soon as the engine can be asked. language: its code; it is kept
-    for the next time; empty: the one that was kept, or the system's.
+    whenever the engine is lost; it may be slow and may raise.
+    start_test: a test to start as soon as the engine answers. language: its code, stored for the
+    next time; empty: the stored one, or the system's.
     Returns 1 without a window when the self test of the GUI library fails. Raises UnusableInput
-    for a language that the window does not speak.
+    for a language without a catalogue.
     """
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
@@ -105,7 +105,7 @@ def _results_folder(preferences: Preferences, started: Path) -> Path:
 
 
 def _end_on_signal(signals: list[str], window: MainWindow, application: QApplication) -> None:
-    """Close for Ctrl-C, kill and a closed terminal; asked again, end at once."""
+    """Close for Ctrl-C, kill and a closed terminal; at a second signal end at once."""
     if len(signals) > 1:
         end_at_once(f"interrupted twice by {signals[-1]}; the engine goes on.")
     if signals:

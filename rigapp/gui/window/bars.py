@@ -48,11 +48,11 @@ FRAME = STEP // 2
 
 PLACE_WIDTH = 12 * STEP
 STEPS = 1000
-"""Places of the slider; the field beside it takes any revolution."""
+"""Positions of the slider; the field beside it takes any revolution."""
 
 
 class ReplayFrame(QFrame):
-    """What the window is made on; around a replay it has a frame, seen from three metres."""
+    """The body of the window; around a replay it has a frame that is seen from three metres."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -96,13 +96,13 @@ class ReplayBar(QFrame):
         self.play.setFixedSize(16 * STEP, BUTTON_HEIGHT)
         for key, playing in (("F6", True), ("F7", False)):
             QShortcut(QKeySequence(key), self, lambda playing=playing: self._play_when(playing))
-        self.place = named(
+        self.slider = named(
             QSlider(Qt.Orientation.Horizontal), "replay_place", "Place in the recorded test"
         )
-        self.place.setRange(0, STEPS)
-        self.place.setPageStep(STEPS // 10)
-        self.place.setTracking(False)
-        self.place.valueChanged.connect(self._moved)
+        self.slider.setRange(0, STEPS)
+        self.slider.setPageStep(STEPS // 10)
+        self.slider.setTracking(False)
+        self.slider.valueChanged.connect(self._moved)
         self.revolution = whole_number("replay_revolution", "Go to a revolution", 0, 1)
         self.revolution.valueChanged.connect(self._typed)
         speeds = [(tr("{:g} times", speed), speed) for speed in SPEEDS]
@@ -116,17 +116,17 @@ class ReplayBar(QFrame):
             "Replay from the start",
         )
         self.again.setFixedHeight(BUTTON_HEIGHT)
-        self.place.setMinimumWidth(PLACE_WIDTH)
-        whole = flowing(
+        self.slider.setMinimumWidth(PLACE_WIDTH)
+        layout = flowing(
             self.word,
             self.play,
             self.again,
-            "Pl&ace", (self.place, 1),
+            "Pl&ace", (self.slider, 1),
             "Re&volution", self.revolution,
             "Spee&d", self.speed,
             on=self,
         )  # fmt: skip
-        whole.setContentsMargins(MARGIN, 0, MARGIN, 0)
+        layout.setContentsMargins(MARGIN, 0, MARGIN, 0)
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
@@ -143,7 +143,7 @@ class ReplayBar(QFrame):
         self._show_playing()
 
     def show_status(self, status: Status, last_recorded: int) -> None:
-        """Follow the replay, unless somebody is just moving the slider or typing."""
+        """Follow the replay, unless the slider is being moved or the revolution typed."""
         test = status.test or NO_TEST
         playing = status.engine.state is RunState.RUNNING
         if playing != self._playing:
@@ -154,9 +154,9 @@ class ReplayBar(QFrame):
             self._first, self._last = first, last
             self.revolution.setRange(0, last)
         span = max(1, self._last - self._first + 1)
-        place = round(STEPS * (test.revolution - self._first + 1) / span)
-        if not self.place.isSliderDown():
-            _show(self.place, max(0, min(STEPS, place)))
+        position = round(STEPS * (test.revolution - self._first + 1) / span)
+        if not self.slider.isSliderDown():
+            _show(self.slider, max(0, min(STEPS, position)))
         if not self.revolution.hasFocus():
             _show(self.revolution, test.revolution)
 
@@ -173,9 +173,9 @@ class ReplayBar(QFrame):
         if playing is self._playing:
             self.play.click()
 
-    def _moved(self, place: int) -> None:
+    def _moved(self, position: int) -> None:
         span = self._last - self._first + 1
-        self.wanted.emit("seek", {"revolution": self._first - 1 + round(span * place / STEPS)})
+        self.wanted.emit("seek", {"revolution": self._first - 1 + round(span * position / STEPS)})
 
     def _typed(self, revolution: int) -> None:
         self.wanted.emit("seek", {"revolution": revolution})
@@ -191,15 +191,15 @@ def _show(widget: QSlider | QSpinBox, value: int) -> None:
         widget.blockSignals(False)
 
 
-FILE_WIDTH, TOLD_WIDTH = 24 * STEP, 28 * STEP
+FILE_WIDTH, MESSAGE_WIDTH = 24 * STEP, 28 * STEP
 MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
 class StartBar(QFrame):
-    """Ask for length and file of the selected test on a card that floats above the buttons.
+    """Set length and file of the selected test on a card that floats above the buttons.
 
     The selected test is that of the form (``RecipePanel.selected``); another one that is chosen
-    here is opened there. Its file is read again before the start; what differs is shown first.
+    here is opened there. Its file is read again before the start; differences are shown first.
     """
 
     started = Signal(dict)
@@ -221,8 +221,8 @@ class StartBar(QFrame):
         browse = button("start_browse", "&Browse…", self._browse, "Choose another test file")
         self.go = button("start_now", "Start no&w", self._go, guarded=True, rank="primary")
         cancel = button("start_cancel", "Cancel", self.hide, "Do not start")
-        self.told = prose("start_told", "What is started")
-        self.told.setMinimumSize(TOLD_WIDTH, 5 * STEP)
+        self.message = prose("start_told", "What is started")
+        self.message.setMinimumSize(MESSAGE_WIDTH, 5 * STEP)
         self.read = button("start_read", "Read it again", self._read_again)
         self.save = button("start_save", "Save the changes", self._save)
         self.out.setMinimumWidth(FILE_WIDTH)
@@ -231,7 +231,7 @@ class StartBar(QFrame):
             "Re&volutions", (self.revolutions, 1),
             "Write t&o", (self.out, 3),
         )  # fmt: skip
-        below = flowing((self.told, 1), self.read, self.save, self.go, cancel)
+        below = flowing((self.message, 1), self.read, self.save, self.go, cancel)
         column(fields, below, on=self).setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         self.offer(tests)
         recipe.selection_changed.connect(self._show_armed)
@@ -239,31 +239,31 @@ class StartBar(QFrame):
         self.hide()
 
     def offer(self, tests: Sequence[Path]) -> None:
-        """Offer test files."""
+        """List test files."""
         for path in tests:
             self._add(path)
 
     def show_occupied(self, words: str) -> None:
-        """Start nothing while a calibration occupies the rig, and say so; empty: it is free."""
+        """Show that a calibration occupies the rig, and disable the start; empty: it is free."""
         if words != self._occupied:
             self._occupied = words
             self._show_armed()
 
     @property
     def first(self) -> Path | None:
-        """Return the first test that is offered, None without one."""
+        """Return the first test of the list, None without one."""
         path = self.test.itemData(0)
         return Path(path) if path else None
 
     def _add(self, path: Path) -> int:
-        at = self.test.findData(str(path))
-        if at < 0:
+        index = self.test.findData(str(path))
+        if index < 0:
             self.test.addItem(path.name, str(path))
-            at = self.test.count() - 1
-        return at
+            index = self.test.count() - 1
+        return index
 
     def choose(self, path: Path) -> bool:
-        """Arm a test file; False where it cannot be read, or changes would be lost by it."""
+        """Select a test file; False where it cannot be read, or changes would be lost by it."""
         if path == self._recipe.path or self._recipe.open_wanted(path):
             self._show_armed()
             return self._recipe.path == path
@@ -294,7 +294,7 @@ class StartBar(QFrame):
             super().keyPressEvent(event)
 
     def _show_armed(self) -> None:
-        """Show the armed test, and what of the form or of the disk is not part of it."""
+        """Show the selected test, and what of the form or of the disk is not part of it."""
         selected = self._recipe.selected
         self.test.setCurrentIndex(-1 if selected is None else self._add(selected.path))
         changed = selected.on_disk() if selected is not None else []
@@ -303,14 +303,14 @@ class StartBar(QFrame):
         text = self._sentence(changed, lost)
         if selected is not None and not wrong:
             self.out.setText(str(new_result(self._results, selected.path.stem)))
-        self.told.setText(f"▲ {text}" if wrong else text)
-        tell(self.told, "role", "error" if wrong else "caution" if lost else "secondary")
+        self.message.setText(f"▲ {text}" if wrong else text)
+        tell(self.message, "role", "error" if wrong else "caution" if lost else "secondary")
         self.read.setVisible(bool(changed))
         self.save.setVisible(bool(lost) and not wrong)
         self.go.setEnabled(not wrong)
 
     def _sentence(self, changed: Sequence[str], lost: Sequence[str]) -> str:
-        """Say what is armed; changed: what differs on the disk, lost: what is not saved."""
+        """Return what will be started; changed: differences on the disk, lost: unsaved changes."""
         selected = self._recipe.selected
         if self._occupied:
             return self._occupied
@@ -330,8 +330,8 @@ class StartBar(QFrame):
     def _chosen(self) -> None:
         if not self.choose(Path(self.test.currentData())):
             text = tr("Changes in Prepare are not saved: save or discard them first.")
-            self.told.setText(f"▲ {text}")
-            tell(self.told, "role", "error")
+            self.message.setText(f"▲ {text}")
+            tell(self.message, "role", "error")
 
     def _read_again(self) -> None:
         path = self._recipe.path
@@ -358,7 +358,7 @@ class StartBar(QFrame):
         dialog.show()
 
     def _go(self) -> None:
-        """Start, unless the file has become another one since it was armed."""
+        """Start, unless the file has changed since it was selected."""
         self.revolutions.interpretText()
         out, selected = self.out.text().strip(), self._recipe.selected
         if selected is None or not out or selected.on_disk() or self._occupied:

@@ -1,4 +1,4 @@
-"""The guide through a calibration in the window: chosen, opened, left, come back to and ended."""
+"""The guide through a calibration in the window: choose, open, leave, return to and end it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QDialog, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from rigapp.gui.look.preferences import OFF, Preference, Preferences
 from rigapp.gui.plots.plotmenu import offer_menus
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """One thing to choose: its name with an access key, how it is done, and the subject it is.
+    """A calibration: its name with an access key, how it is done, and its subject.
 
-    what: how it is named where it occupies the rig. fields: what the first page says at the
-    beginning, by the name of its field.
+    what: its name where it occupies the rig. fields: values of the first page at the beginning,
+    by the name of the field.
     """
 
     text: Text
@@ -77,10 +77,10 @@ CHOICES = {
         "&Run-out of the pin", "by slow rolls of the spindle", "run-out of the pin", "run-out"
     ),
 }
-"""What is chosen: the subject, or which of several things of it."""
+"""Calibrations by name: subjects, or variants of one."""
 
 WIDEST = 80 * STEP
-"""Of a button: longer ones are read as lines, not pressed."""
+"""Of a button: a wider one looks like a line of text."""
 
 
 class CalibrationChooser(QDialog):
@@ -95,31 +95,31 @@ class CalibrationChooser(QDialog):
         self.setModal(False)
         heading = QLabel(tr("What shall be calibrated?"))
         heading.setFont(scaled_font(heading, 1.4, bold=True))
-        self.buttons = {}
+        self.buttons: dict[str, QPushButton] = {}
         for key, choice in CHOICES.items():
             text = f"{tr(choice.text)}\n{tr(choice.words)}"
-            made = button(f"choose_{key.replace(' ', '_')}", text, partial(self._choose, key))
-            made.setMaximumWidth(WIDEST)
-            made.setStyleSheet(f"text-align: left; min-height: {6 * STEP}px;")
-            self.buttons[key] = made
-        whole = filled(QVBoxLayout(self), (heading, *self.buttons.values(), None))
-        whole.setSpacing(GAP)
+            name = f"choose_{key.replace(' ', '_')}"
+            self.buttons[key] = button(name, text, partial(self._choose, key))
+            self.buttons[key].setMaximumWidth(WIDEST)
+            self.buttons[key].setStyleSheet(f"text-align: left; min-height: {6 * STEP}px;")
+        layout = filled(QVBoxLayout(self), (heading, *self.buttons.values(), None))
+        layout.setSpacing(GAP)
         self.setFocusProxy(self.buttons["load cell"])
 
-    def _choose(self, which: str) -> None:
+    def _choose(self, key: str) -> None:
         self.accept()
-        self.chosen.emit(which)
+        self.chosen.emit(key)
 
 
 class CalibrationGuide(QObject):
-    """Open one calibration at a time in the place of the pages; the rig is occupied by it."""
+    """Open one calibration at a time in the place of the pages; it occupies the rig."""
 
     moved = Signal()
     """A guide took the place of the pages, or left it."""
-    said = Signal(object, bool)
-    """An answer, and whether it is a good one."""
+    reported = Signal(object, bool)
+    """An answer, and whether it reports success."""
     occupied = Signal()
-    """Refused: the rig is another calibration's."""
+    """Refused: another calibration occupies the rig."""
 
     def __init__(
         self,
@@ -149,7 +149,7 @@ class CalibrationGuide(QObject):
         self._since, self._occupies = 0.0, False
 
     def open(self) -> None:
-        """Ask what to calibrate, or go back to the calibration under way; refused during a test."""
+        """Show the chooser, or the calibration under way; refused during a test."""
         if self.wizard is not None:
             self.show(self.wizard)
             return
@@ -160,26 +160,26 @@ class CalibrationGuide(QObject):
         chooser.rejected.connect(self.end)
         self._stage.take(chooser)
         self._stage.dress(self._theme())
-        # Fits and statistics are loaded while somebody chooses, not before, and not here.
+        # Fits and statistics are loaded on the worker while the operator chooses.
         if self._make_wizard is None:
             self._reader.submit(_load_wizards, self._take_wizards, self._tell_problem)
         self.show(chooser)
 
-    def choose(self, which: str) -> None:
+    def choose(self, key: str) -> None:
         """Open the wizard for the load cell, a probe or both (see ``CHOICES``)."""
         if self._free() is None:
             self.end()
             return
-        self._next = which
+        self._next = key
         if self._make_wizard is None:
-            self.said.emit(tr("The calibration is being opened."), True)
+            self.reported.emit(tr("The calibration is being opened."), True)
             return
         from rigapp.calibrating.subjects import SUBJECTS
 
-        self._next, choice = "", CHOICES[which]
+        self._next, choice = "", CHOICES[key]
         fastest = SUBJECTS[choice.subject].fastest_rpm
         arguments = {"what": choice.what, "fastest_rpm": fastest}
-        self._connection.request("calibration_begin", arguments, partial(self._begun, which))
+        self._connection.request("calibration_begin", arguments, partial(self._begun, key))
 
     def show(self, guide: QWidget) -> None:
         """Show a guide in the place of the rig's pages; strip, Stop and notes stay."""
@@ -188,49 +188,50 @@ class CalibrationGuide(QObject):
         self.moved.emit()
 
     def leave(self) -> None:
-        """Go from the guide to the pages; it can be come back to."""
+        """Show the pages in place of the guide, which stays open."""
         self._stage.show_pages()
         self.moved.emit()
 
     def end(self) -> None:
-        """Let the guide go; the pages are shown."""
+        """Close the guide; the pages are shown."""
         self.wizard, self._next = None, ""
         self._since, self._occupies = 0.0, False
         self._stage.end()
         self.moved.emit()
 
     def close(self) -> None:
-        """Close what is open, which frees the rig."""
+        """Close an open wizard, which releases the rig."""
         if self.wizard is not None:
             self.wizard.reject()
 
     def take_status(self, status: Status) -> None:
-        """Take which calibration occupies the rig; close ours when somebody else has ended it."""
-        found = status.engine.calibration
+        """Follow which calibration occupies the rig; close ours when it was ended elsewhere."""
+        running = status.engine.calibration
         self.end_bar.take_status(status)
-        ours = found is not None and found.since == self._since
+        ours = running is not None and running.since == self._since
         if self._occupies and not ours and self.wizard is not None:
             self.wizard.reject()
-            self.said.emit(tr("The calibration was ended elsewhere. All readings are kept."), False)
+            text: Text = "The calibration was ended elsewhere. All readings are kept."
+            self.reported.emit(tr(text), False)
         self._occupies = ours and self.wizard is not None
 
-    def _begun(self, which: str, reply: Reply) -> None:
-        """Open the wizard once the rig is this calibration's; say why where it is not."""
+    def _begun(self, key: str, reply: Reply) -> None:
+        """Open the wizard once this calibration occupies the rig; report why it does not."""
         from rigapp.calibrating.session import Rig
 
         status = self._connection.status
         if not reply.ok or status is None:
             self.end()
-            self.said.emit(translate(reply.sentence), False)
+            self.reported.emit(translate(reply.sentence), False)
             return
         begun = reply.result or {}
-        self.said.emit("", True)
+        self.reported.emit("", True)
         self._since, self._occupies = begun.get("since", 0.0), False
         self._notice.own_calibration = self._since
         chosen = self._preferences.get(Preference.OPERATOR)
         operator = chosen or status.engine.operator or getuser()
         test = self._tabs.prepare.recipe.path
-        choice = CHOICES[which]
+        choice = CHOICES[key]
         assert self._make_wizard is not None
         self.wizard = self._make_wizard(
             self._connection.request,
@@ -252,12 +253,12 @@ class CalibrationGuide(QObject):
             self.choose(self._next)
 
     def _tell_problem(self, error: Exception) -> None:
-        self.said.emit(error_text(error, "That did not work."), False)
+        self.reported.emit(error_text(error, "That did not work."), False)
 
     def _put_on_stage(self) -> None:
         if self.wizard is not None:
             self._stage.take(self.wizard)
-            offer_menus(self.wizard, self.said.emit)
+            offer_menus(self.wizard, self.reported.emit)
             self._turns.then((*self._stage.dress_calls(self._theme()), self._show_wizard))
 
     def _show_wizard(self) -> None:
@@ -265,11 +266,11 @@ class CalibrationGuide(QObject):
             self.show(self.wizard)
 
     def _free(self) -> Status | None:
-        """Return the status of a rig that may be calibrated now; say why it may not."""
+        """Return the status of a rig that may be calibrated now, else report why not."""
         status = self._connection.status
         if self._connection.is_replay or status is None or status.engine.state in ACTIVE:
             why: Text = "Calibrating needs a running engine and no test under way."
-            self.said.emit(tr(why), False)
+            self.reported.emit(tr(why), False)
             return None
         if status.engine.calibration is not None:
             self.occupied.emit()
@@ -282,7 +283,7 @@ class CalibrationGuide(QObject):
 
 
 def _load_wizards() -> type[CalibrationWizard]:
-    """Load what calibrates; on a worker, where a search for garbage would hold the window up."""
+    """Import the wizard; on a worker, where a garbage collection would block the window."""
     begin_to_load()
     try:
         from rigapp.gui.wizard.wizard import CalibrationWizard

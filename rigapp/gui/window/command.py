@@ -1,4 +1,4 @@
-"""Who has control of the rig: seen at a glance, taken and given back with one key."""
+"""Who has control of the rig: display, take and release it with one key."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ _COMMANDING: dict[CommandHolder, tuple[Text, Text, Text]] = {
         "{name} loses control; it is recorded in the log",
     ),
 }
-"""What is told, what the button says and what it does, by who has control."""
+"""Text, button and its tool tip, by who has control."""
 
 
 class CommandLine(QWidget):
-    """One line: who has control, and a button to take control or give it back."""
+    """One line: who has control, and a button to take or release it."""
 
     wanted = Signal(str, dict)
     take_over_wanted = Signal()
@@ -64,7 +64,7 @@ class CommandLine(QWidget):
         self.button.setToolTip(f"{tr(tip, name=name)} ({KEY})")
 
     def act(self) -> None:
-        """Take control, release it, or ask whether it is to be taken over."""
+        """Take control, release it, or emit ``take_over_wanted``."""
         if self._holder is CommandHolder.OTHER:
             self.take_over_wanted.emit()
         else:
@@ -73,7 +73,7 @@ class CommandLine(QWidget):
 
 
 class ViewerBar(Bar):
-    """Say in large letters that this window only looks; take control over after a question."""
+    """Show in large letters that this window is read-only; take over control after a question."""
 
     wanted = Signal(str, dict)
 
@@ -91,7 +91,7 @@ class ViewerBar(Bar):
         self.paint(theme.tint, theme.text, "#viewer_text { font-weight: 600; }")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
-        """Appear while another viewer has control."""
+        """Show the bar while another viewer has control."""
         other = holder is CommandHolder.OTHER
         if not other or name != self._name:
             self._name, self._asking = name, False
@@ -99,7 +99,7 @@ class ViewerBar(Bar):
         self.show_when(other)
 
     def ask(self) -> None:
-        """Ask whether command is to be taken over, with the focus on going on viewing."""
+        """Ask whether control is to be taken over, with the focus on going on viewing."""
         self._asking = True
         self._show()
         self.cancel.setFocus(Qt.FocusReason.OtherFocusReason)

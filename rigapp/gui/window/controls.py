@@ -1,4 +1,4 @@
-"""Start, pause, go on, stop and note: one bar, never behind a dialog, each on one key."""
+"""Start, pause, resume, stop and note: one bar, never behind a dialog, each on one key."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ NOTHING_TURNS = AT_REST | {RunState.CALIBRATING}
 """States in which there is nothing to stop."""
 START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and set within half of it
 IDLE_BEFORE_START_S = 2.0
-"""An idle engine is about to connect by itself; when it does not, the start makes it."""
+"""An idle engine usually connects within this time; after it the start makes it connect."""
 
 STOP_KEY = "F12"
 
@@ -103,11 +103,11 @@ TIGHT_STOP_SIZE = QSize(15 * STEP, 6 * STEP)
 
 
 RANKS = {"stop": "dangerous", "start": "primary", "resume": "primary"}
-"""Of the buttons that are no ordinary ones."""
+"""Of the buttons that are not ordinary."""
 
 
 def icon_colour(verb: str, theme: Theme) -> str:
-    """Return the colour of a button's icon, which stands out from the button."""
+    """Return the colour of a button's icon, in contrast to the button."""
     inks = {"dangerous": theme.critical, "primary": theme.highlighted_text}
     return inks.get(RANKS.get(verb, ""), theme.text)
 
@@ -115,7 +115,7 @@ def icon_colour(verb: str, theme: Theme) -> str:
 class ControlRow(QFrame):
     """The bar at the bottom: what runs, the buttons at their fixed places, Stop apart from them.
 
-    Start and Go on share a place, since only one of them can apply.
+    Start and Resume share a place, since only one of them can apply.
     """
 
     start_wanted = Signal()
@@ -127,7 +127,7 @@ class ControlRow(QFrame):
         super().__init__()
         self._send = send
         self._theme = theme
-        self._reason_for = self._told = self._details = ""
+        self._reason_for = self._answer = self._details = ""
         self._armed = ""
         self._good = True
         self._tight = False
@@ -157,8 +157,8 @@ class ControlRow(QFrame):
         self.answer = FewLinesLabel("answer", "Answer to the last command", MESSAGE_LINES)
         self.answer_more = details_button("answer", lambda _: self._show_answer())
         self.answer_place = QWidget()
-        told = row((self.answer, 1), self.answer_more, on=self.answer_place)
-        told.setContentsMargins(MARGIN, 0, 0, 0)
+        answer_row = row((self.answer, 1), self.answer_more, on=self.answer_place)
+        answer_row.setContentsMargins(MARGIN, 0, 0, 0)
         self.answer_place.hide()
         self.test = ElidedLabel("identity", "Test")
         self.test.setProperty("role", "title")
@@ -183,29 +183,29 @@ class ControlRow(QFrame):
         stop.setFixedSize(STOP_SIZE)
         stop.setFont(sized(stop.font(), VALUE_PT, QFont.Weight.DemiBold))
         requested = (self.buttons["connect"], self.start_place, self.buttons["pause"])
-        whole = row((identity, 3), *requested, (self.text, 3), self.note, on=self)
-        whole.addSpacing(STEP)
-        filled(whole, (self.command_line,))
-        whole.addSpacing(STEP)
-        filled(whole, (stop,))
-        whole.setContentsMargins(MARGIN, 0, MARGIN, 0)
-        whole.setSpacing(STEP)
+        layout = row((identity, 3), *requested, (self.text, 3), self.note, on=self)
+        layout.addSpacing(STEP)
+        filled(layout, (self.command_line,))
+        layout.addSpacing(STEP)
+        filled(layout, (stop,))
+        layout.setContentsMargins(MARGIN, 0, MARGIN, 0)
+        layout.setSpacing(STEP)
 
     def make_room(self, *, tight: bool) -> None:
-        """Leave out, in a tight window, what runs, the keys, and words that an icon says."""
+        """Leave out, in a tight window, what runs, the keys, and words that an icon replaces."""
         for spec in BUTTONS:
             words = "" if tight and spec.verb == "connect" else self._words(spec.text)
             self.buttons[spec.verb].setText(words if tight else f"{words}  {spec.key}")
         self.note.setText("" if tight else self._words("&Note"))
         self.buttons["stop"].setFixedSize(TIGHT_STOP_SIZE if tight else STOP_SIZE)
-        for one in (self.test, self.line, self.command_line):
-            one.setVisible(not tight)
+        for part in (self.test, self.line, self.command_line):
+            part.setVisible(not tight)
         self._tight = tight
         self._show_hint()
         self.start_place.updateGeometry()
 
     def lend_letters(self, lent: bool) -> None:
-        """Leave the letters of the buttons to a guide that is shown; their keys stay."""
+        """Drop the access keys of the buttons while a guide needs them; the function keys stay."""
         if lent is not self._lent:
             self._lent = lent
             self.make_room(tight=self._tight)
@@ -245,23 +245,21 @@ class ControlRow(QFrame):
             self.buttons[command.verb].setToolTip(self._tip(command, applies, status))
 
     def show_selected(self, name: str) -> None:
-        """Name the armed test where no test is under way; nothing where none is armed."""
+        """Set the name of the selected test, shown while no test is under way; empty: none."""
         self._armed = name
 
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
         if status is not None and status.engine.state not in ACTIVE and self._armed:
-            test = tr(
-                "{}, selected", self._armed
-            )  # what Start beside it begins, not what has ended
+            test = tr("{}, selected", self._armed)  # what Start begins, not what has ended
         self.test.show_text(test)
         self.line.show_text(line)
-        # Pressing Start or Go on disables it: the other one may only come when it applies.
+        # Pressing Start or Resume disables it: the other one may only come when it applies.
         paused = status is not None and status.engine.state is RunState.PAUSED
         self.start_place.setCurrentIndex(int(paused))
 
     def _applies(self, command: ButtonSpec, status: Status) -> bool:
-        """Tell whether a command means something now; what the engine names as next always does."""
+        """Tell whether a command applies now; the next step by the engine always does."""
         if status.recovery.verb == command.verb:
             return True
         in_the_way = command.verb == "start" and Remedy.RESET in status.recovery.left
@@ -274,7 +272,7 @@ class ControlRow(QFrame):
             return
         arguments: dict[str, Any] = {}
         if verb == "stop" and self._state in NOTHING_TURNS:
-            # It is asked for all the same: a test may have begun since the engine spoke.
+            # It is sent all the same: a test may have begun since the newest status.
             arguments["reason"] = self.text.text().strip()
             self._send(verb, arguments, self._stopped_at_rest)
             return
@@ -288,7 +286,7 @@ class ControlRow(QFrame):
         self.send(verb, arguments)
 
     def send(self, verb: str, arguments: dict[str, Any]) -> None:
-        """Send a request and show the answer; the text goes along where a reason may be needed."""
+        """Send a request and show the answer; add the text where a reason may be needed."""
         if verb == "resume_file" and self.text.text().strip():
             arguments = {**arguments, "reason": self.text.text().strip()}
             self.text.clear()
@@ -298,7 +296,7 @@ class ControlRow(QFrame):
         self._send(verb, arguments, partial(self._answered, label))
 
     def start_test(self, arguments: dict[str, Any]) -> None:
-        """Start a test; devices that are still being connected are waited for."""
+        """Start a test, after waiting for devices that are still being connected."""
         self._waiting_start = (arguments, time.monotonic())
         self._start_when_ready()
 
@@ -321,7 +319,7 @@ class ControlRow(QFrame):
             self.show_answer("start: waiting for the devices …", good=True)
 
     def tell_occupied(self) -> None:
-        """Say why nothing turns the spindle while a calibration is open."""
+        """Show why nothing turns the spindle while a calibration is open."""
         if self._occupied:
             self.show_answer(self._occupied, good=False)
 
@@ -339,19 +337,19 @@ class ControlRow(QFrame):
 
     def show_answer(self, sentence: Text, *, good: bool) -> None:
         """Show one sentence; a refusal is marked."""
-        told = sentence_of(tr(sentence))
-        self._told, self._details = told if good else f"▲ {told}", details_of(sentence)
+        text = sentence_of(tr(sentence))
+        self._answer, self._details = text if good else f"▲ {text}", details_of(sentence)
         self.answer_more.setChecked(False)
         self.answer_more.setVisible(bool(self._details))
         self._show_answer()
-        self.answer_place.setVisible(bool(told))
+        self.answer_place.setVisible(bool(text))
         self._good = good
         self._paint_answer()
         self.refused.emit(not good)
 
     def _show_answer(self) -> None:
         """Show the answer, or its details in its place while their button is down."""
-        self.answer.show_text(self._details if self.answer_more.isChecked() else self._told)
+        self.answer.show_text(self._details if self.answer_more.isChecked() else self._answer)
 
     def _paint_answer(self) -> None:
         colour = self._theme.secondary if self._good else self._theme.critical
@@ -362,13 +360,13 @@ class ControlRow(QFrame):
         self.answered.emit()
         stamp = time.strftime("%H:%M:%S")
         if reply.ok:
-            told = tr("{}: done. {}", label, translate(reply.sentence))
+            text = tr("{}: done. {}", label, translate(reply.sentence))
         else:
-            told = tr("{} refused: {}", label, translate(reply.sentence))
-        self.show_answer(f"{stamp}  {told}{marked_details(reply.sentence)}", good=reply.ok)
+            text = tr("{} refused: {}", label, translate(reply.sentence))
+        self.show_answer(f"{stamp}  {text}{marked_details(reply.sentence)}", good=reply.ok)
 
     def _stopped_at_rest(self, reply: Reply) -> None:
-        """Say that nothing runs only where the engine says so: any other refusal is shown."""
+        """Show that nothing runs only where the engine answers so; show any other refusal."""
         if is_untimely(reply.sentence, Trigger.STOP):
             self.show_answer("Nothing is running: there is nothing to stop.", good=True)
         else:
@@ -387,21 +385,21 @@ class ControlRow(QFrame):
         return tr("{}. Not now: the state is {}; it must be {}", tip, now, states)
 
     def _button(self, spec: ButtonSpec) -> QPushButton:
-        made = button(
+        control = button(
             spec.verb,
             f"{tr(spec.text)}  {spec.key}",
             partial(self.act, spec.verb),
             spec.spoken,
             tip=f"{tr(spec.tip)} ({spec.key})",
-            # Stopping is for everybody, whoever has control.
+            # Stopping is always allowed, whoever has control.
             guarded=spec.verb != "stop",
             rank=RANKS.get(spec.verb, ""),
         )
-        made.setFixedHeight(BUTTON_HEIGHT)
-        return made
+        control.setFixedHeight(BUTTON_HEIGHT)
+        return control
 
     def _press(self, key: str) -> None:
-        """Press the button of a key; of Start and Go on, the one that applies."""
+        """Press the button of a key; of Start and Resume, the one that applies."""
         for spec in BUTTONS:
             if spec.key == key and self.buttons[spec.verb].isEnabled():
                 self.buttons[spec.verb].click()

@@ -27,20 +27,16 @@ from rigapp.presentation.tokens import CAPTION_PT, GAP, LARGE_PT, MARGIN, STEP, 
 from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.shown import MARKS, Level
 
-# The line below the strip: one message, of one height, so that nothing moves when it changes.
-#
-# In a window too narrow for a sentence the line is as high as its words need.
-
 REFUSAL_S = 20.0
-"""For so long the reason of a refusal has half of the line; later its tool tip has it whole."""
+"""For so long the reason of a refusal has half of the line; the full text is its tool tip."""
 HEIGHT = 13 * STEP // 2
 """Of the line: ``MESSAGE_LINES`` of text, as many as a cause and its remedy have at 1366 pixels."""
 
 
 class MessageLine(QFrame):
-    """Hold the bars that tell or ask something, the answer to the last command, and the time.
+    """The line below the strip: statements and questions, the last answer, and the time.
 
-    bars: what asks first; while a bar is shown the next ones wait, and so does the answer.
+    bars: the questions, then the notice; while a bar is shown the next ones and the answer wait.
     """
 
     def __init__(self, bars: tuple[Bar, ...], answer: QWidget, theme: Theme) -> None:
@@ -50,14 +46,14 @@ class MessageLine(QFrame):
         self.clock = named(QLabel(), "clock", "Time")
         self.clock.setFixedWidth(18 * STEP)
         self.clock.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        *asking, telling = bars
-        self._asking, self._told = tuple(asking), QWidget()
-        self._shares = told = row((telling, 1), (answer, 1), on=self._told)
-        told.setContentsMargins(0, 0, 0, 0)
-        told.setSpacing(GAP)
+        *asking, notice = bars
+        self._asking, self._statements = tuple(asking), QWidget()
+        self._shares = statements = row((notice, 1), (answer, 1), on=self._statements)
+        statements.setContentsMargins(0, 0, 0, 0)
+        statements.setSpacing(GAP)
         self._refused_at: float | None = None
         self.give_room(refused=False)
-        self._row = row(*((bar, 1) for bar in asking), (self._told, 1), self.clock, on=self)
+        self._row = row(*((bar, 1) for bar in asking), (self._statements, 1), self.clock, on=self)
         self._row.setSpacing(GAP)
         self.make_room(tight=False)
         for bar in bars:
@@ -69,8 +65,8 @@ class MessageLine(QFrame):
         """Show one bar at a time."""
         if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
             asking = any(not bar.isHidden() for bar in self._asking)
-            if self._told.isHidden() is not asking:
-                self._told.setHidden(asking)
+            if self._statements.isHidden() is not asking:
+                self._statements.setHidden(asking)
         return super().eventFilter(watched, event)
 
     def dress(self, theme: Theme) -> None:
@@ -84,18 +80,18 @@ class MessageLine(QFrame):
         )
 
     def make_room(self, *, tight: bool) -> None:
-        """Leave the whole line to the message in a tight window."""
+        """Hide the time in a tight window."""
         self.clock.setVisible(not tight)
         self._row.setContentsMargins(0, 0, 0 if tight else MARGIN, 1)
 
     def give_room(self, *, refused: bool) -> None:
-        """Share the line between message and answer: the reason of a refusal has half of it."""
+        """Divide the line between message and answer: the reason of a refusal has half of it."""
         self._refused_at = time.monotonic() if refused else None
-        for at, share in enumerate((1, 1) if refused else (5, 2)):
-            self._shares.setStretch(at, share)
+        for index, share in enumerate((1, 1) if refused else (5, 2)):
+            self._shares.setStretch(index, share)
 
     def show_time(self) -> None:
-        """Show the time of day; the room of an old refusal is the message's again."""
+        """Show the time of day; give the room of an old refusal back to the message."""
         if self._refused_at is not None and time.monotonic() - self._refused_at > REFUSAL_S:
             self.give_room(refused=False)
         now = dated("%a %d %b  %H:%M:%S", time.localtime())
@@ -104,7 +100,7 @@ class MessageLine(QFrame):
 
 
 BAR_HEIGHT = 5
-"""Of the bars in tiles, in pixels: thin, since the number says it exactly."""
+"""Of the bars in tiles, in pixels: thin, since the exact value is the number."""
 
 
 class ShapeMark(QWidget):
@@ -158,7 +154,7 @@ POLYGONS: dict[StateShape, tuple[Points, ...]] = {
         ((0.56, 0.1), (0.66, 0.1), (0.44, 0.9), (0.34, 0.9)),
     ),
 }
-"""The shapes within the unit square; the circle is none of them."""
+"""The shapes within the unit square, except the circle."""
 
 
 def paint_shape(painter: QPainter, shape: StateShape) -> None:
@@ -224,11 +220,11 @@ class Tile(QFrame):
             self._show_look()
         self.value.show_text(field.value)
         self.detail.show_text(field.detail, field.short)
-        said = f"{MARKS[Level(field.level)]}{self.value.whole} {self.detail.whole}"
-        self.setAccessibleDescription(said.strip())
+        text = f"{MARKS[Level(field.level)]}{self.value.whole} {self.detail.whole}"
+        self.setAccessibleDescription(text.strip())
 
     def _show_look(self) -> None:
-        """Colour the tile by its level; an old value is grey, or says its age on a colour."""
+        """Colour the tile by its level; an old value is grey, except on a colour."""
         theme, (level, old) = self._theme, self._look
         colours: dict[int, tuple[str, str, str]] = {
             Level.NORMAL: (theme.base, theme.muted if old else theme.text, theme.muted),
@@ -265,20 +261,20 @@ TILES = (
 STRIP_HEIGHT = 14 * STEP
 TIGHT_HEIGHT = 11 * STEP
 TIGHT_PT = 18.0
-"""Of the large values in a tight window: still the largest on it."""
+"""Of the large values in a tight window, where they are still the largest."""
 
 
 class Header(QFrame):
-    """Hold the tiles in one strip whose height never changes."""
+    """The tiles in one strip whose height never changes."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         named(self, "header", "State of the test")
         self.setFixedHeight(STRIP_HEIGHT)
-        self.tiles = {one.name: Tile(one, theme) for one in TILES}
-        whole = row(*((self.tiles[one.name], one.share) for one in TILES), on=self)
-        whole.setContentsMargins(0, 0, 0, 1)
-        whole.setSpacing(0)
+        self.tiles = {spec.name: Tile(spec, theme) for spec in TILES}
+        layout = row(*((self.tiles[spec.name], spec.share) for spec in TILES), on=self)
+        layout.setContentsMargins(0, 0, 0, 1)
+        layout.setSpacing(0)
         self.state = self.tiles["state"]
         self.shape = ShapeMark(int(0.6 * self.state.value.height()))
         self.state.column.removeWidget(self.state.value)
@@ -300,7 +296,7 @@ class Header(QFrame):
             tile.dress(theme)
 
     def make_room(self, *, tight: bool) -> None:
-        """Take less height in a tight window."""
+        """Reduce the height in a tight window."""
         self.setFixedHeight(TIGHT_HEIGHT if tight else STRIP_HEIGHT)
         for spec in TILES:
             tile = self.tiles[spec.name]
@@ -309,7 +305,7 @@ class Header(QFrame):
         self.shape.setFixedSize(*(2 * [int(0.6 * self.state.value.height())]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave out the tiles for which there is no room."""
+        """Hide the tiles for which there is no room."""
         super().resizeEvent(event)
         for spec in TILES:
             self.tiles[spec.name].setVisible(self.width() >= spec.from_width)
@@ -323,9 +319,9 @@ class Header(QFrame):
             bar.setValue(min(bar.maximum(), int(bar.maximum() * share)))
 
     def _bar(self, tile: str, name: str, spoken: Text) -> QProgressBar:
-        made = named(QProgressBar(), name, spoken)
-        made.setTextVisible(False)
-        made.setMaximum(1000)
-        made.setFixedHeight(BAR_HEIGHT)
-        self.tiles[tile].column.insertWidget(2, made)
-        return made
+        bar = named(QProgressBar(), name, spoken)
+        bar.setTextVisible(False)
+        bar.setMaximum(1000)
+        bar.setFixedHeight(BAR_HEIGHT)
+        self.tiles[tile].column.insertWidget(2, bar)
+        return bar

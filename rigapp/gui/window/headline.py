@@ -1,4 +1,4 @@
-"""What the header says, as plain text: pure functions of the engine's status and of the line."""
+"""The texts of the header: pure functions of the engine's status and of the connection."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from rigapp.viewer.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, 
 
 
 class StateShape(enum.StrEnum):
-    """Name the shape drawn beside the state word, so that it never rests on colour."""
+    """The shape drawn beside the state word, so that it is legible without colour."""
 
     CIRCLE = marked("circle")
     TRIANGLE = marked("triangle")
@@ -72,14 +72,14 @@ class Headline:
 
 @dataclass(frozen=True, slots=True)
 class NewestMeasured:
-    """What the newest revolutions say: NaN where it is not known.
+    """Values of the newest revolutions: NaN where not known.
 
     force_max_N: largest |F| of the newest revolution, or of the one in which the test tripped;
     force_sign: "≥ " where it went beyond the measuring range. overload_N: where the drive is
     switched off.
     wear_um, wear_uncertainty_um: measured wear depth with its expanded uncertainty (k = 2).
-    nearest: of the limits of the largest |F|. told, turned, predicted: age of what the engine says,
-    of the newest revolution, and of its prediction.
+    nearest: of the limits of the largest |F|. answered, turned, predicted: age of the engine's
+    status, of the newest revolution, and of its prediction.
     """
 
     force_max_N: float = math.nan
@@ -88,7 +88,7 @@ class NewestMeasured:
     wear_um: float = math.nan
     wear_uncertainty_um: float = math.nan
     nearest: Margin | None = None
-    told: Age = UNKNOWN_AGE
+    answered: Age = UNKNOWN_AGE
     turned: Age = UNKNOWN_AGE
     predicted: Age = UNKNOWN_AGE
 
@@ -102,12 +102,12 @@ _SHAPES: dict[RunState, StateShape] = {
     RunState.FAULT: StateShape.DIAMOND,
     RunState.CALIBRATING: StateShape.BARS,
 }
-"""States without a shape of their own are on the way to another one."""
+"""States without a shape are transitions to another one."""
 _OUTCOME_SHAPES: dict[HowEnded, StateShape] = {
     HowEnded.COMPLETE: StateShape.CIRCLE,
     HowEnded.TRIPPED: StateShape.DIAMOND,
 }
-"""Of a test that has ended; the others have that of the state."""
+"""Of a test that has ended; the others have the shape of the state."""
 
 
 def headline(
@@ -119,7 +119,7 @@ def headline(
     *,
     replay: bool = False,
 ) -> Headline:
-    """Return what the header shows for a status (None: never heard of the engine)."""
+    """Return what the header shows for a status (None: no answer of the engine yet)."""
     unknown = TileText("–")
     if status is None:
         state = TileText("Attaching", translate(connection_reason))
@@ -133,13 +133,13 @@ def headline(
     return Headline(
         shape=shape,
         state=state,
-        cycle=aged(_cycle(status, now(), connection), measured.told),
+        cycle=aged(_cycle(status, now(), connection), measured.answered),
         progress=test.revolution / test.planned if test.planned > 0 else 0.0,
         force=aged(_force(status, measured, replay), measured.turned),
         used=_used(measured),
         wear=aged(_wear(status, measured), measured.predicted),
         agreement=aged(_agreement(status), measured.predicted),
-        alarms=aged(_alarms(status), measured.told),
+        alarms=aged(_alarms(status), measured.answered),
     )
 
 
@@ -172,13 +172,13 @@ def _cycle(status: Status, now: float, connection: ConnectionState) -> TileText:
         return TileText("–", "no test")
     count = tr("{} of {}", grouped(test.revolution), grouped(test.planned))
     saved = tr("{} saved", grouped(test.committed))
-    # Of an engine that does not answer nobody knows when the test ends.
+    # While the engine does not answer, the end of the test is not known.
     end, when = _end(status, now) if connection is ConnectionState.ATTACHED else ("", "")
     return TileText(count, f"{saved}, {end}" if end else saved, short=when)
 
 
 def _end(status: Status, now: float) -> tuple[Text, Text]:
-    """Return when the test ends, in words and in few; while it is paused, nobody knows."""
+    """Return when the test ends, in words and in few; while paused this is not known."""
     test = status.test or NO_TEST
     if status.engine.state in (RunState.PAUSED, RunState.PAUSING) and not test.resting:
         return tr("the end waits"), "the end waits"
@@ -215,7 +215,7 @@ def _force(status: Status, measured: NewestMeasured, replay: bool) -> TileText:
 
 
 def _used(measured: NewestMeasured) -> float:
-    """Return how much of the overload limit the force takes, 0 .. 1; 0 where it is not known."""
+    """Return the force as a share of the overload limit, 0 .. 1; 0 where not known."""
     share = measured.force_max_N / measured.overload_N
     return min(1.0, share) if math.isfinite(share) else 0.0
 
@@ -257,7 +257,7 @@ def _alarms(status: Status) -> TileText:
 
 
 def measured(news: News) -> NewestMeasured:
-    """Return what the newest revolutions of a test say."""
+    """Return the values of the newest revolutions of a test."""
     predictions = news.data.predictions
     good = newest_good(predictions, news.data.rows)
     depth, doubt = (1e3 * predictions.at(name, good) for name in (DEPTH, f"{DEPTH}_uncertainty"))
@@ -276,7 +276,7 @@ def measured(news: News) -> NewestMeasured:
 
 
 def rig_words(news: News) -> tuple[str, str]:
-    """Return the rig's name, and what it is where it is no real one."""
+    """Return the rig's name, and its kind where it is not real."""
     if news.status is None:
         return "", ""
     kind: Text = "REPLAY" if news.is_replay else "SIMULATED" if news.status.rig.simulated else ""

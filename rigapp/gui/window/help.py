@@ -1,4 +1,4 @@
-"""Help on F1: the guides with their pictures where they are installed; and what each key does."""
+"""Help on F1: the guides with their pictures where they are installed; and the table of keys."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NO_GUIDE: Final[Text] = (
     "The emergency stop is the red button on the rig. It works without this program, and no program"
     " replaces it."
 )
-MARGIN = 64  # px: the bar at the side, and what a list is set in from the page's edge
+MARGIN = 64  # px: the scroll bar, and the indent of a list
 
 KEYS: Final[tuple[tuple[Text, Text], ...]] = (
     ("F8", "Go to the line for reasons and notes; Enter adds the note to the log"),
@@ -64,12 +64,12 @@ KEYS: Final[tuple[tuple[Text, Text], ...]] = (
     (marked("Backspace in a plot"), "Show all again after a rectangle was drawn"),
     ("Esc", "Close the start bar or the help"),
 )
-"""Keys beside those of the buttons at the bottom, and what they do."""
+"""Keys other than those of the buttons at the bottom, and what they do."""
 
 
 def window_keys() -> tuple[tuple[Text, Text], ...]:
     """Return each key of the window, and what it does."""
-    commands = ((one.key, f"{one.spoken.rstrip('…')}: {tr(one.tip)}") for one in BUTTONS)
+    commands = ((spec.key, f"{spec.spoken.rstrip('…')}: {tr(spec.tip)}") for spec in BUTTONS)
     return (*commands, *KEYS)
 
 
@@ -79,27 +79,27 @@ def anchor_of(heading: str) -> str:
 
 
 class GuidePages(QTextBrowser):
-    """Show guides: their pictures fit the window, their links lead to each other alone."""
+    """Show guides: their pictures fit the window, their links lead only to each other."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setOpenLinks(False)
         self._loaded_for = 0
-        # Not while it is being laid out.
+        # Reload later: not while it is being laid out.
         self._resized = QTimer(self, singleShot=True, interval=0)
         self._resized.timeout.connect(self._fit_pictures)
         self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
         self.anchorClicked.connect(self._follow)
 
     def loadResource(self, kind: int, name: QUrl | str) -> Any:
-        """Load what a page names; a picture that is too wide is made smaller."""
-        found = super().loadResource(kind, name)
-        if kind != QTextDocument.ResourceType.ImageResource.value or not found:
-            return found
-        picture = found if isinstance(found, QPixmap) else QPixmap()
+        """Load a resource of a page; a picture that is too wide is scaled down."""
+        resource = super().loadResource(kind, name)
+        if kind != QTextDocument.ResourceType.ImageResource.value or not resource:
+            return resource
+        picture = resource if isinstance(resource, QPixmap) else QPixmap()
         room = max(self.viewport().width() - MARGIN, 1)
-        if not isinstance(found, QPixmap) and not picture.loadFromData(found):
-            return found
+        if not isinstance(resource, QPixmap) and not picture.loadFromData(resource):
+            return resource
         if picture.width() <= room:
             return picture
         return picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)
@@ -123,7 +123,7 @@ class GuidePages(QTextBrowser):
         /,
         type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,
     ) -> None:
-        """Show a guide; its examples wrap as its text does."""
+        """Show a guide with wrapping examples."""
         self._loaded_for = self.viewport().width()
         super().doSetSource(name, type)
         self._wrap()
@@ -134,7 +134,7 @@ class GuidePages(QTextBrowser):
         self._wrap()
 
     def _wrap(self) -> None:
-        """Let lines wrap that Markdown would keep whole, wherever they have to."""
+        """Let the lines of examples wrap, which Markdown does not allow."""
         cursor = QTextCursor(self.document())
         block = self.document().begin()
         while block.isValid():
@@ -158,14 +158,14 @@ class GuidePages(QTextBrowser):
         block = self.document().begin()
         while block.isValid():
             if block.blockFormat().headingLevel() and anchor_of(block.text()) == anchor:
-                place = self.document().documentLayout().blockBoundingRect(block)
-                self.verticalScrollBar().setValue(int(place.top()))
+                rectangle = self.document().documentLayout().blockBoundingRect(block)
+                self.verticalScrollBar().setValue(int(rectangle.top()))
                 return
             block = block.next()
 
 
 class HelpWindow(QWidget):
-    """Show the guides in a window of its own, which never blocks the first one."""
+    """Show the guides in a separate window, which never blocks the first one."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Window)
@@ -176,8 +176,8 @@ class HelpWindow(QWidget):
         back.setEnabled(False)
         self.browser.backwardAvailable.connect(back.setEnabled)
         row = QHBoxLayout()
-        for one in (self._guide, back):
-            row.addWidget(one)
+        for control in (self._guide, back):
+            row.addWidget(control)
         row.addStretch()
         column = QVBoxLayout(self)
         column.addLayout(row)
@@ -187,7 +187,7 @@ class HelpWindow(QWidget):
         self.show_guide()
 
     def show_guide(self) -> None:
-        """Show the operator's guide; where the keys are listed if no guide is installed."""
+        """Show the operator's guide, or that no guide is installed."""
         try:
             path = guides_folder() / GUIDE
         except UnusableInput:

@@ -1,7 +1,4 @@
-"""What is told or asked in one line below the state: what is, what is next, what needs an answer.
-
-A test that is left alone and a calibration that is ended for another are asked about first.
-"""
+"""The bars of the message line: state and next step; questions before something ends."""
 
 from __future__ import annotations
 
@@ -21,11 +18,10 @@ from rigapp.viewer.connection import ConnectionState
 
 
 class NoticeBar(Bar):
-    """Show the reason of a state and the next step; of an engine that does not answer, that.
+    """Show the reason of a state and the next step, or that the engine does not answer.
 
-    own_calibration: begin of the one that this window has open, which its guide ends.
-
-    A restart is shown until it is put away, or until a test is under way again.
+    A restart is shown until it is acknowledged, or until a test is under way again.
+    own_calibration: start time of the one that is open in this window, which its guide ends.
     """
 
     end_wanted = Signal()
@@ -53,7 +49,7 @@ class NoticeBar(Bar):
         self._paint()
 
     def take_status(self, status: Status, *, replay: bool = False) -> None:
-        """Take the newest status; of a replay it is told that nothing moves."""
+        """Take the newest status; for a replay show that nothing moves."""
         test = status.test or NO_TEST
         if replay:
             self.say(tr("{}: no rig is connected, nothing moves.", translate(test.title)))
@@ -69,7 +65,7 @@ class NoticeBar(Bar):
         self._show()
 
     def take_connection(self, connection: ConnectionState, silence_s: float) -> None:
-        """Take how the line to the engine is: of a silent one nothing is said that was before."""
+        """Take the state of the connection: silence replaces an older notice."""
         silent = silence_sentence(connection, silence_s, self._last)
         if silent != self._silent:
             self._silent = silent
@@ -87,10 +83,10 @@ class NoticeBar(Bar):
             or (status is not None and status.engine.state is RunState.FAULT)
         )
         self.away.setVisible(bool(self._restart) and not silent)
-        found = status.engine.calibration if status is not None and not silent else None
-        self.end.setVisible(found is not None and found.since != self.own_calibration)
-        told = status if status is not None and not (silent or self._restart) else None
-        self.say(text, state_details(told) if told is not None else "")
+        running = status.engine.calibration if status is not None and not silent else None
+        self.end.setVisible(running is not None and running.since != self.own_calibration)
+        described = status if status is not None and not (silent or self._restart) else None
+        self.say(text, state_details(described) if described is not None else "")
         self.setToolTip(text)
         self.show_when(bool(text))
         if bad != self._bad:
@@ -110,7 +106,7 @@ class NoticeBar(Bar):
 
 
 def silence_sentence(connection: ConnectionState, silence_s: float, last: Status | None) -> str:
-    """Return what to say while the engine does not answer, nothing while it does."""
+    """Return the notice while the engine does not answer, else an empty text."""
     if last is None or connection not in (ConnectionState.SILENT, ConnectionState.LOST):
         return ""
     text = tr("The engine has not answered for {}: every value is old.", duration(silence_s))
@@ -121,7 +117,7 @@ def silence_sentence(connection: ConnectionState, silence_s: float, last: Status
 
 
 def restart_sentence(last: Status) -> str:
-    """Return what to say when another engine process answers than the one before."""
+    """Return the notice when another engine process answers than before."""
     if last.engine.state not in ACTIVE:
         return ""
     test = last.test or NO_TEST
@@ -137,7 +133,7 @@ def restart_sentence(last: Status) -> str:
 
 
 class CloseBar(Bar):
-    """Offer to leave the test running, to stop it first, or to stay."""
+    """Ask whether to leave the test running, to stop it first, or to stay."""
 
     leave = Signal()
     stop_first = Signal()
@@ -172,7 +168,7 @@ class CloseBar(Bar):
 
 
 class EndCalibrationBar(Bar):
-    """Say who calibrates what, ask whether the pin is free, and end just that calibration."""
+    """Show who calibrates what, ask whether the pin is free, and end exactly that calibration."""
 
     wanted = Signal(str, dict)
 
@@ -202,9 +198,9 @@ class EndCalibrationBar(Bar):
         self.keep.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def take_status(self, status: Status) -> None:
-        """Ask no longer about a calibration that is over."""
-        found = status.engine.calibration
-        if not self.isHidden() and (found is None or found.since != self._since):
+        """Withdraw the question about a calibration that is over."""
+        running = status.engine.calibration
+        if not self.isHidden() and (running is None or running.since != self._since):
             self.hide()
 
     def _end(self) -> None:

@@ -1,4 +1,4 @@
-"""Where the pages stand; a guide (a calibration) takes their room while it is under way."""
+"""The stack of the pages and of a guide (a calibration), which is shown in their place."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.presentation.tokens import Theme
 
 
 class PageStack(QStackedWidget):
-    """The pages of the places, and one guide that can be left for them and come back to."""
+    """The pages of the places, and one guide that can be left for them and returned to."""
 
     def __init__(self, pages: QWidget) -> None:
         super().__init__()
@@ -29,17 +29,17 @@ class PageStack(QStackedWidget):
 
     @property
     def guiding(self) -> bool:
-        """Tell whether the guide is seen."""
+        """Tell whether the guide is shown."""
         return self.currentIndex() == 1
 
     def take(self, guide: QWidget) -> None:
-        """Put a guide in the place of the one before it, unseen; see ``dress_calls``."""
+        """Replace the guide by another one, without showing it; see ``dress_calls``."""
         self._let_go()
         guide.setWindowFlags(Qt.WindowType.Widget)
         self._area.setWidget(guide)
 
     def guide(self, guide: QWidget) -> None:
-        """Show the guide that was taken in the place of the pages."""
+        """Show a taken guide in the place of the pages."""
         guide.show()
         self.setCurrentIndex(1)
         (guide.focusWidget() or guide).setFocus()
@@ -50,7 +50,7 @@ class PageStack(QStackedWidget):
             call()
 
     def dress_calls(self, theme: Theme) -> Iterator[Callable[[], object]]:
-        """Give what puts the guide in a theme, a part each; nothing once it was let go."""
+        """Yield calls that put the guide in a theme, part by part; void after its end."""
         guide = self._area.widget()
         if guide is None:
             return
@@ -65,15 +65,15 @@ class PageStack(QStackedWidget):
             call()
 
     def end(self) -> None:
-        """Let the guide go, and show the pages."""
+        """Delete the guide, and show the pages."""
         self._let_go()
         self.show_pages()
 
     def _let_go(self) -> None:
-        over = self._area.takeWidget()
-        if over is not None:
-            over.deleteLater()
+        guide = self._area.takeWidget()
+        if guide is not None:
+            guide.deleteLater()
 
     def show_pages(self) -> None:
-        """Show the pages; the guide goes on unseen."""
+        """Show the pages; the guide continues unseen."""
         self.setCurrentIndex(0)

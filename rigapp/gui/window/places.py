@@ -33,7 +33,7 @@ PAGE_BAR_HEIGHT = 6 * STEP
 
 
 class RailPlace(enum.StrEnum):
-    """Name a place as the rail writes it."""
+    """The places, by the text of the rail."""
 
     WATCH = marked("Watch")
     PREPARE = marked("Prepare")
@@ -52,7 +52,7 @@ ICONS = {
 
 
 class Rail(QFrame):
-    """Choose a place; above them the rig and whether it is real, below settings and help."""
+    """Buttons of the places; above them the rig and whether it is real, below settings and help."""
 
     chosen = Signal(RailPlace)
 
@@ -71,26 +71,26 @@ class Rail(QFrame):
         self.kind.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.buttons = {place: self._item(place) for place in RailPlace}
         group = QButtonGroup(self)
-        for one in self.buttons.values():
-            group.addButton(one)
+        for item in self.buttons.values():
+            group.addButton(item)
         self.help_button = button("help_button", "Help F1", help_, "Help", rank="quiet")
         *places, settings = (self.buttons[place] for place in RailPlace)
         above = column(self.rig, self.kind, None)
         above.setSpacing(STEP // 2)
         self._above = QWidget()
         self._above.setLayout(above)
-        made = column(self._above, *places, None, settings, self.help_button, on=self)
-        made.setContentsMargins(1, STEP, 1, STEP)
-        made.setSpacing(STEP // 2)
+        layout = column(self._above, *places, None, settings, self.help_button, on=self)
+        layout.setContentsMargins(1, STEP, 1, STEP)
+        layout.setSpacing(STEP // 2)
         self.make_room(tight=False)
         self.dress(theme)
 
     def make_room(self, *, tight: bool) -> None:
-        """Take less height in a tight window; that a rig is simulated is always said."""
+        """Reduce the height in a tight window; SIMULATED is always shown."""
         self.rig.setVisible(not tight)
         self._above.setFixedHeight((4 if tight else 12) * STEP)
-        for one in self.buttons.values():
-            one.setFixedHeight(TIGHT_ITEM_HEIGHT if tight else ITEM_HEIGHT)
+        for item in self.buttons.values():
+            item.setFixedHeight(TIGHT_ITEM_HEIGHT if tight else ITEM_HEIGHT)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
@@ -116,22 +116,22 @@ class Rail(QFrame):
 
     def _paint_places(self) -> None:
         theme = self._theme
-        for place, one in self.buttons.items():
-            chosen = theme.highlight if one.isChecked() else theme.secondary
-            one.setIcon(icon(ICONS[place], chosen))
+        for place, item in self.buttons.items():
+            chosen = theme.highlight if item.isChecked() else theme.secondary
+            item.setIcon(icon(ICONS[place], chosen))
 
     def show_place(self, place: RailPlace) -> None:
-        """Mark the place that is shown; the focus of another one goes along."""
-        if any(one.hasFocus() for one in self.buttons.values()):
+        """Mark the place that is shown; the focus follows."""
+        if any(item.hasFocus() for item in self.buttons.values()):
             self.buttons[place].setFocus()
         if not self.buttons[place].isChecked():
             self.buttons[place].setChecked(True)
             self._paint_places()
 
     def offer(self, places: Collection[RailPlace]) -> None:
-        """Offer some places; those without pages are gone."""
-        for place, one in self.buttons.items():
-            one.setVisible(place in places)
+        """Show the buttons of some places only."""
+        for place, item in self.buttons.items():
+            item.setVisible(place in places)
 
     def show_rig(self, rig: str, kind: str) -> None:
         """Show the rig's name, and what it is: SIMULATED, REPLAY, or nothing for a real one."""
@@ -143,22 +143,22 @@ class Rail(QFrame):
             self.kind.setVisible(bool(kind))
 
     def _item(self, place: RailPlace) -> QToolButton:
-        made = named(QToolButton(), f"place_{place.name.lower()}", place.value)
-        made.setText(tr(place.value))
-        made.setCheckable(True)
-        made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
-        made.setIconSize(ICON)
-        made.setFixedSize(RAIL_WIDTH - 2, ITEM_HEIGHT)
+        item = named(QToolButton(), f"place_{place.name.lower()}", place.value)
+        item.setText(tr(place.value))
+        item.setCheckable(True)
+        item.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        item.setIconSize(ICON)
+        item.setFixedSize(RAIL_WIDTH - 2, ITEM_HEIGHT)
         key = f"Alt+{list(RailPlace).index(place) + 1}"
-        made.setToolTip(f"{tr(place.value)} ({key})")
-        made.clicked.connect(partial(self.chosen.emit, place))
+        item.setToolTip(f"{tr(place.value)} ({key})")
+        item.clicked.connect(partial(self.chosen.emit, place))
         QShortcut(QKeySequence(key), self).activated.connect(partial(self.chosen.emit, place))
-        return made
+        return item
 
 
 @dataclass(frozen=True, slots=True)
 class PageName:
-    """A page as its button names it: where it stands among all, title and key."""
+    """A page: its index among all, title and key."""
 
     number: int
     title: Text
@@ -166,10 +166,10 @@ class PageName:
 
 
 class PageBar(QWidget):
-    """The pages of a place side by side, and at the right what else can be done there.
+    """The pages of a place side by side, and at the right further actions there.
 
-    It has its height also where a place has one page: nothing below it moves. Where there is no
-    room for all their buttons, a list to choose from takes their place.
+    Its height is the same where a place has one page: nothing below it moves. Where there is no
+    room for all buttons, it has a list to choose from.
     """
 
     chosen = Signal(int)
@@ -180,44 +180,45 @@ class PageBar(QWidget):
         self.setFixedHeight(PAGE_BAR_HEIGHT)
         self._more = tuple(more)
         self._shown: tuple[PageName, ...] = ()
-        self._told: tuple[RailPlace, tuple[PageName, ...], int] | None = None
+        self._seen: tuple[RailPlace, tuple[PageName, ...], int] | None = None
         self.buttons: dict[int, QPushButton] = {}
         self._row = row()
         self._row.setSpacing(STEP)
         self.choice = choice("page_choice", "Pages", (), self._choose_from_list)
         self.setMinimumWidth(20 * STEP)
-        whole = row((self._row, 0), self.choice, None, *(one for _, one in self._more), on=self)
-        whole.setContentsMargins(0, STEP, 0, STEP)
-        whole.setSpacing(GAP)
+        self._actions = tuple(action for _, action in self._more)
+        layout = row((self._row, 0), self.choice, None, *self._actions, on=self)
+        layout.setContentsMargins(0, STEP, 0, STEP)
+        layout.setSpacing(GAP)
 
     def show_pages(self, place: RailPlace, pages: Sequence[PageName], now: int) -> None:
-        """Show the pages of a place, and which one is seen, -1 for none; nothing when they are."""
-        if (place, tuple(pages), now) == self._told:
+        """Show the pages of a place, and which one is open, -1 for none."""
+        if (place, tuple(pages), now) == self._seen:
             return
-        self._told = place, tuple(pages), now
+        self._seen = place, tuple(pages), now
         if tuple(pages) != self._shown:
             self._shown = tuple(pages)
-            for gone in self.buttons.values():
+            for page_button in self.buttons.values():
                 # At once: the window would grow for both rows together.
-                self._row.removeWidget(gone)
-                gone.hide()
-                gone.deleteLater()
+                self._row.removeWidget(page_button)
+                page_button.hide()
+                page_button.deleteLater()
             self.buttons = {page.number: self._button(page) for page in pages}
-            for made in self.buttons.values():
-                self._row.addWidget(made)
+            for page_button in self.buttons.values():
+                self._row.addWidget(page_button)
             self.choice.blockSignals(True)
             self.choice.clear()
             for page in pages:
                 self.choice.addItem(tr(page.title), page.number)
             self.choice.blockSignals(False)
-        for number, made in self.buttons.items():
-            made.setChecked(number == now)
+        for number, page_button in self.buttons.items():
+            page_button.setChecked(number == now)
         self.choice.blockSignals(True)
         self.choice.setCurrentIndex(self.choice.findData(now))
         self.choice.blockSignals(False)
-        follow_in_tab_order(self.choice, *self.buttons.values(), *(one for _, one in self._more))
-        for where, other in self._more:
-            other.setVisible(where is place)
+        follow_in_tab_order(self.choice, *self.buttons.values(), *self._actions)
+        for action_place, action in self._more:
+            action.setVisible(action_place is place)
         self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -226,21 +227,23 @@ class PageBar(QWidget):
         self._fit()
 
     def _fit(self) -> None:
-        shown = [*self.buttons.values(), *(one for _, one in self._more if one.isVisibleTo(self))]
-        wanted = sum(one.sizeHint().width() + GAP for one in shown)
+        actions = [action for action in self._actions if action.isVisibleTo(self)]
+        shown = [*self.buttons.values(), *actions]
+        wanted = sum(widget.sizeHint().width() + GAP for widget in shown)
         fits = wanted <= self.width()
-        for made in self.buttons.values():
-            made.setVisible(fits)
+        for page_button in self.buttons.values():
+            page_button.setVisible(fits)
         self.choice.setVisible(not fits)
 
     def _choose_from_list(self) -> None:
         self.chosen.emit(self.choice.currentData())
 
     def _button(self, page: PageName) -> QPushButton:
-        made = button(f"page_button_{page.number}", page.title, spoken=page.title, checkable=True)
-        made.setToolTip(f"{tr(page.title)} ({key_text(page.key)})")
-        made.clicked.connect(partial(self._choose, page.number))
-        return made
+        name, title = f"page_button_{page.number}", page.title
+        page_button = button(name, title, spoken=title, checkable=True)
+        page_button.setToolTip(f"{tr(page.title)} ({key_text(page.key)})")
+        page_button.clicked.connect(partial(self._choose, page.number))
+        return page_button
 
     def _choose(self, number: int) -> None:
         self.buttons[number].setChecked(True)

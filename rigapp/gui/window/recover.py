@@ -1,6 +1,6 @@
-"""The way out of a fault in one panel: what happened, the steps, and one button for the next one.
+"""The recovery from a fault in one panel: what happened, the steps, and one button for the next.
 
-Which step is next is told by the engine (``engine.views``); the panel shows and asks only.
+The engine determines the next step (``engine.views``); the panel only shows and requests it.
 """
 
 from __future__ import annotations
@@ -37,36 +37,36 @@ BUTTONS: Final[dict[str, Text]] = {
     "resume_file": "Go on with the test",
     "start": "Start a test…",
 }
-"""What the button says for the request that does the step."""
+"""Text of the button for the request that does the step."""
 
 BUTTON_PLACE: Final = 2
-"""Of the button among what stands on the panel, below the sentence of the next step: both come
-before the way and the cause, so that they are in sight in every window."""
+"""Of the button on the panel, below the sentence of the next step: both come before the steps and
+the cause, so that they are visible in every window."""
 
 UNDER_WAY: Final = ACTIVE - {RunState.STOPPING}
 """States in which nothing has to be recovered."""
 
 
 def needs_recovery(status: Status) -> bool:
-    """Tell whether something is in the way of the next start."""
+    """Tell whether something prevents the next start."""
     if status.engine.state in ACTIVE or status.engine.state is RunState.CONNECTING:
         return False
     return status.engine.state is RunState.FAULT or _worst(status) is not None
 
 
 def _worst(status: Status) -> Alarm | None:
-    """Return the critical alarm that the next step is about, or the one that came first."""
-    critical = [one for one in status.alarms if one.severity is Severity.CRITICAL]
+    """Return the critical alarm of the next step, or the first one."""
+    critical = [alarm for alarm in status.alarms if alarm.severity is Severity.CRITICAL]
     wanted = status.recovery.cause
     return min(
         critical,
-        key=lambda one: (one.key != wanted, not one.active, not one.first_out),
+        key=lambda alarm: (alarm.key != wanted, not alarm.active, not alarm.first_out),
         default=None,
     )
 
 
 class RecoverPanel(QFrame):
-    """Lead from a fault back to a test; hidden while there is nothing to recover from."""
+    """Guide from a fault back to a test; hidden while there is nothing to recover from."""
 
     wanted = Signal(str, dict)
     start_wanted = Signal()
@@ -99,7 +99,7 @@ class RecoverPanel(QFrame):
         self.hide()
 
     def make_room(self, *, tight: bool) -> None:
-        """Leave out, in a tight window, all but the next step, and begin with its button."""
+        """Show only the next step in a tight window, its button first."""
         self._tight = tight
         self.title.setHidden(tight)
         self._column.removeWidget(self.button)
@@ -127,16 +127,16 @@ class RecoverPanel(QFrame):
             self._show()
 
     def answered(self) -> None:
-        """Take note that a request was answered: the button may be pressed again."""
+        """Enable the button again: a request was answered."""
         self._requested = False
         self._show()
 
     def press(self) -> None:
-        """Do the next step, which panel or message line names with this key, on whatever page."""
+        """Do the next step, by its key, on any page."""
         self.button.click()
 
     def act(self) -> None:
-        """Ask for the next step."""
+        """Request the next step."""
         status = self._status
         verb = status.recovery.verb if status is not None else ""
         if status is None or not verb or self._requested:
@@ -154,30 +154,30 @@ class RecoverPanel(QFrame):
         status = self._status
         if status is None:
             return
-        told = status.recovery
+        recovery = status.recovery
         worst = _worst(status)
         if worst is not None:
             self._why = worst.cause
-        self._frame(recovered=told.step is Remedy.RESUME)
+        self._frame(recovered=recovery.step is Remedy.RESUME)
         self.cause.setText(translate(self._why or status.engine.reason))
         self.details.show_details(details_of(self._why or status.engine.reason))
-        self.next.setText(translate(told.sentence))
+        self.next.setText(translate(recovery.sentence))
         for number, (step, label) in enumerate(self.steps.items(), 1):
-            now = step is told.step
+            now = step is recovery.step
             label.setHidden(self._tight and not now)
-            mark = "▶" if now else "○" if step in told.left or not told.left else "✔"
+            mark = "▶" if now else "○" if step in recovery.left or not recovery.left else "✔"
             label.setText(f"{mark} {number} {tr(STEPS[step])}")
             label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
-            place: Text = "next" if now else "to do" if mark == "○" else "done"
-            label.setAccessibleDescription(tr(place))
-        text: Text = BUTTONS.get(told.verb, marked("Waiting for the cause to go"))
-        if told.step is Remedy.NONE:
+            state: Text = "next" if now else "to do" if mark == "○" else "done"
+            label.setAccessibleDescription(tr(state))
+        text: Text = BUTTONS.get(recovery.verb, marked("Waiting for the cause to go"))
+        if recovery.step is Remedy.NONE:
             text = tr("Wait")
         self.button.setText(f"{tr(text)}  {KEY}")
-        self.button.setEnabled(bool(told.verb) and not self._requested)
-        self.button.setToolTip(translate(told.sentence))
-        self.other.setVisible(told.verb == "resume_file")
-        self.away.setVisible(told.step is Remedy.RESUME)
+        self.button.setEnabled(bool(recovery.verb) and not self._requested)
+        self.button.setToolTip(translate(recovery.sentence))
+        self.other.setVisible(recovery.verb == "resume_file")
+        self.away.setVisible(recovery.step is Remedy.RESUME)
 
     def _frame(self, *, recovered: bool) -> None:
         theme = self._theme
@@ -202,12 +202,12 @@ class RecoverPanel(QFrame):
     def _lay_out(self) -> None:
         steps = column(*self.steps.values())
         steps.setSpacing(STEP // 2)
-        made = self._column = column(
+        layout = self._column = column(
             self.title, self.next, self.button, self.other, self.away, steps, self.cause,
             self.details, on=self,
         )  # fmt: skip
-        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        made.setSpacing(STEP)
+        layout.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        layout.setSpacing(STEP)
 
 
 def _situation(status: Status) -> tuple[object, ...]:

@@ -1,4 +1,4 @@
-"""How often the window looks for news and draws: often in a test, next to never while it waits."""
+"""How often the window polls for news and draws: often in a test, rarely while it is idle."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 
 @dataclass(frozen=True, slots=True)
 class Rhythm:
-    """How often something is done: looks for news, parts of a slow drawing, beats for stalls."""
+    """Periods of polling for news, of parts of the slow drawing, and of beats for stalls."""
 
     look_ms: int
     part_ms: int
@@ -27,17 +27,17 @@ IDLE = Rhythm(250, 100, IDLE_PERIOD_S)
 """A window that waits shall cost next to nothing."""
 
 STATE_EVERY = 10
-"""Looks between two at the state bar when there are no news: its ages grow all the same."""
+"""Polls between two updates of the state bar without news: its ages grow all the same."""
 
 FAST_EVERY = 4
-"""Parts of a slow drawing between two looks at the newest revolution, for what was chosen there."""
+"""Parts of the slow drawing between two drawings of the newest revolution, for choices there."""
 
 SLOW_EVERY = 20
-"""Parts in which trends and tables are drawn in turns: in a test each of them twice a second."""
+"""Parts of the drawing of trends and tables: in a test each is drawn twice a second."""
 
 
 class Pulse:
-    """Call for looks and parts of a drawing in the rhythm that is kept, and watch for stalls."""
+    """Timers for polling and for parts of the drawing in a rhythm, and the watchdog for stalls."""
 
     def __init__(
         self,
@@ -53,19 +53,19 @@ class Pulse:
         self.keep(IN_TEST)
 
     def keep(self, rhythm: Rhythm) -> None:
-        """Keep a rhythm from now on."""
-        if rhythm is not self.rhythm:  # a timer whose interval is set begins anew
+        """Set the rhythm."""
+        if rhythm is not self.rhythm:  # setting its interval restarts a timer
             self.rhythm = rhythm
             self.look.setInterval(rhythm.look_ms)
             self._part.setInterval(rhythm.part_ms)
             self._watchdog.beat_every(rhythm.beat_s)
 
     def start(self) -> None:
-        """Begin to call."""
-        for one in (self.look, self._part, self._watchdog):
-            one.start()
+        """Start the timers."""
+        for timer in (self.look, self._part, self._watchdog):
+            timer.start()
 
     def stop(self) -> None:
-        """Call no more."""
-        for one in (self.look, self._part, self._watchdog):
-            one.stop()
+        """Stop the timers."""
+        for timer in (self.look, self._part, self._watchdog):
+            timer.stop()

@@ -1,4 +1,4 @@
-"""Who has room in a window of some size: pages, newest values, and the way out of a fault."""
+"""Distribution of a window's room: pages, newest values, and the recovery from a fault."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from rigapp.gui.window.tabs import Tabs
 from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH
 
 BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
-"""Places with newest values and the way out of a fault beside them; the others need the width."""
+"""Places with newest values and the recovery beside them; the others need the width."""
 
 NARROW_WIDTH = 800
-"""A window less wide shows the way out of a fault in the place of the pages."""
+"""A narrower window shows the recovery in the place of the pages."""
 
 BESIDE_PAGES, OF_PAGES = (0, 1, 2, 1), (1, 0, 1, 1)
 """Row, column and how many of each, of the side column beside the pages and in their place."""
@@ -34,7 +34,7 @@ class TightBar(Protocol):
 
 
 class PageRoom:
-    """Lay the pages and the side column, and give the room to who needs it."""
+    """Lay out the pages and the side column by the size of the window."""
 
     def __init__(
         self,
@@ -72,7 +72,7 @@ class PageRoom:
         self.show_side()
 
     def show_side(self) -> None:
-        """Show newest values and the way out of a fault where they have room."""
+        """Show newest values and the recovery where they have room."""
         width, height = self._window.width(), self._window.height()
         guiding = self._stage.guiding
         self._page_bar.setVisible(not (guiding and height < TIGHT_HEIGHT))
@@ -96,11 +96,11 @@ class PageRoom:
                 part.setVisible(seen)
 
     def pass_by(self) -> None:
-        """Show the pages in a window too narrow for them and the way out of a fault."""
+        """Show the pages in a window too narrow for pages and recovery."""
         self._passed_by = True
         self.show_side()
 
     def show_recover(self) -> None:
-        """Show the way out of a fault again."""
+        """Show the recovery again."""
         self._passed_by = False
         self.show_side()

@@ -1,4 +1,4 @@
-"""The column at the right: newest values, what is connected, limits, or the way out."""
+"""The column at the right: newest values, connection, limits, or the recovery."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ from rigapp.viewer.shown import (
 )
 
 BEFORE = frozenset({RunState.IDLE, RunState.CONNECTING, RunState.READY, RunState.CALIBRATING})
-"""States before a test, in which it matters what is connected."""
+"""States before a test, in which the connection matters."""
 MOST = 8
 
 
 def connection_steps(news: News) -> list[ShownStep]:
-    """Return the steps to a rig that is ready, in their order; the first one not done is next."""
+    """Return the steps to a rig that is ready, in their order; the first pending one is next."""
     status = news.status
     if status is None:
         looking = marked("looking for it, or starting it")
@@ -51,9 +51,9 @@ def connection_steps(news: News) -> list[ShownStep]:
     steps = [ShownStep("Engine", status.rig.name, done=True)]
     waits = status.engine.state is RunState.IDLE
     for device in status.rig.devices:
-        found = device.identity or tr("{} on {}", device.driver, device.port)
+        identity = device.identity or tr("{} on {}", device.driver, device.port)
         line = translate(device.last_error) or (
-            found if device.connected else tr("finding {}", found)
+            identity if device.connected else tr("finding {}", identity)
         )
         steps.append(ShownStep(device.name, line, device.connected))
     if not status.rig.devices:
@@ -65,12 +65,12 @@ def connection_steps(news: News) -> list[ShownStep]:
 
 
 def _marked(steps: Sequence[ShownStep]) -> list[ShownStep]:
-    first = next((one for one in steps if not one.done), None)
-    return [replace(one, now=one is first) for one in steps]
+    first = next((step for step in steps if not step.done), None)
+    return [replace(step, now=step is first) for step in steps]
 
 
 class ConnectingCard(QFrame):
-    """Show the steps in the place of the limits, which nobody watches before a test."""
+    """Show the steps in the place of the limits, which do not matter before a test."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -96,34 +96,34 @@ class ConnectingCard(QFrame):
         self._show()
 
     def _show(self) -> None:
-        done, all_ = sum(one.done for one in self._steps), len(self._steps)
-        told = tr("Connected") if done == all_ else tr("Connecting, {} of {} done", done, all_)
-        self.title.show_text(told)
-        self.bar.setMaximum(max(all_, 1))
+        done, total = sum(step.done for step in self._steps), len(self._steps)
+        title = tr("Connected") if done == total else tr("Connecting, {} of {} done", done, total)
+        self.title.show_text(title)
+        self.bar.setMaximum(max(total, 1))
         self.bar.setValue(done)
-        for shown, step in zip(self.rows, self._steps, strict=False):
-            shown.show_step(step, self._theme)
-        for number, shown in enumerate(self.rows):
-            if shown.isVisibleTo(self) != (number < all_):
-                shown.setVisible(number < all_)
+        for row, step in zip(self.rows, self._steps, strict=False):
+            row.show_step(step, self._theme)
+        for number, row in enumerate(self.rows):
+            if row.isVisibleTo(self) != (number < total):
+                row.setVisible(number < total)
 
 
 WIDTH = 42 * STEP
 NARROW_WIDTH = 39 * STEP
 MOST_WIDTH = 16_777_215
-"""Any width there is."""
+"""No maximum."""
 NARROW_WINDOW = 1440
-"""A window less wide has the narrow column."""
+"""A narrower window has the narrow column."""
 
 MOST_MARGINS = 8
-"""Limits that are listed; all of them stand on their page."""
+"""Limits that are listed; their page has all of them."""
 
 
 SHORT_NAME = 9
 """Characters of the name of a value whose age has no room beside it."""
 
 TICK = 0.9
-"""Of a bar's width, where the limit is: there is room beyond it for what has passed it."""
+"""Place of the limit in a bar's width: there is room beyond it for a value that has passed it."""
 
 WIDE = dict.fromkeys((COEFFICIENT, REMAINING)).keys()
 """Values whose words need the whole width, in their order."""
@@ -161,7 +161,7 @@ class Value(QWidget):
         self.caption.setStyleSheet(f"color: {theme.muted};")
 
     def show_field(self, field: TileText) -> None:
-        """Show a value; its line, where there is one, stands beside the caption."""
+        """Show a value; its line, where there is one, is beside the caption."""
         detail = tr(field.detail)
         # The age stays whole where there is no room for the name.
         short = f"{self._name[:SHORT_NAME].rstrip()}…, {tr(field.short)}" if field.short else ""
@@ -192,8 +192,8 @@ class LiveCard(QFrame):
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
         self._theme = theme
-        for one in (*self.values.values(), *self.free.values()):
-            one.dress(theme)
+        for value in (*self.values.values(), *self.free.values()):
+            value.dress(theme)
 
     def show_news(self, news: News) -> None:
         """Show what is newest."""
@@ -215,34 +215,34 @@ class LiveCard(QFrame):
         for name, field in fields.items():
             self.values[name].show_field(field)
         predicted = age_of(news, Renewed.PREDICTION)
-        wear = (aged(one, predicted) for one in wear_of(news, time.time()))
+        wear = (aged(quantity, predicted) for quantity in wear_of(news, time.time()))
         self.show_free([*free_values(news), *wear])
 
     def show_free(self, values: Sequence[FreeValue]) -> None:
         """Show a value for each free channel of the rig."""
-        names = [one.name for one in values]
+        names = [value.name for value in values]
         if names != list(self.free):
-            for gone in self.free.values():
-                gone.deleteLater()
-            self.free = {one.name: Value(one.name, one.title, self._theme) for one in values}
+            for old in self.free.values():
+                old.deleteLater()
+            self.free = {item.name: Value(item.name, item.title, self._theme) for item in values}
             self._place()
-        for one in values:
-            self.free[one.name].show_field(
-                TileText(one.value, one.detail, one.level, one.short, one.old)
+        for value in values:
+            self.free[value.name].show_field(
+                TileText(value.value, value.detail, value.level, value.short, value.old)
             )
 
     def _place(self) -> None:
         values = {**self.values, **self.free}
-        narrow = [one for name, one in values.items() if name not in WIDE]
-        for number, one in enumerate(narrow):
-            self._grid.addWidget(one, number // 2, number % 2)
+        narrow = [value for name, value in values.items() if name not in WIDE]
+        for number, value in enumerate(narrow):
+            self._grid.addWidget(value, number // 2, number % 2)
         below = (len(narrow) + 1) // 2
         for number, name in enumerate(WIDE & values.keys()):
             self._grid.addWidget(values[name], below + number, 0, 1, 2)
 
 
 class MarginBar(QProgressBar):
-    """Fill towards a tick, which is the limit; beyond it only once the limit is passed."""
+    """A bar that fills towards a tick, the limit, and beyond it once the limit is passed."""
 
     def __init__(self, name: str, theme: Theme) -> None:
         super().__init__()
@@ -290,7 +290,7 @@ class MarginRow(QWidget):
         self.bar.update()
 
     def show_margin(self, margin: Margin, *, old: bool) -> None:
-        """Show a limit; old: of a revolution that is not of now."""
+        """Show a limit; old: the revolution is not recent."""
         self.title.show_text(margin.limit.title)
         self.text.show_text(MARKS[margin.level] + margin.text)
         self.bar.setValue(round(1000 * margin.used))
@@ -302,7 +302,7 @@ class MarginRow(QWidget):
 
 
 class LimitsCard(QFrame):
-    """The limits that the newest revolution was judged by."""
+    """The limits by which the newest revolution was evaluated."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -310,35 +310,35 @@ class LimitsCard(QFrame):
         self.title = ElidedLabel("limits_watched_title", "Limits watched")
         self.title.setProperty("role", "title")
         self.rows = [MarginRow(number, theme) for number in range(MOST_MARGINS)]
-        made = column(self.title, *self.rows, on=self)
-        made.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
-        made.setSpacing(STEP)
-        for one in self.rows:
-            one.hide()
+        layout = column(self.title, *self.rows, on=self)
+        layout.setContentsMargins(MARGIN, GAP, MARGIN, GAP)
+        layout.setSpacing(STEP)
+        for row in self.rows:
+            row.hide()
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for one in self.rows:
-            one.dress(theme)
+        for row in self.rows:
+            row.dress(theme)
 
     def show_news(self, news: News) -> None:
         """Show the newest revolution beside its limits."""
-        found = margins(news)[:MOST_MARGINS]
+        limits = margins(news)[:MOST_MARGINS]
         age = age_of(news, Renewed.REVOLUTION)
-        title = tr("Limits watched") if found else tr("No limit is watched now")
-        self.title.show_text(f"{title}, {age.text}" if found and age.old else title)
-        for line, one in zip(self.rows, found, strict=False):
-            line.show_margin(one, old=age.old)
-        for number, line in enumerate(self.rows):
-            if line.isVisibleTo(self) != (number < len(found)):
-                line.setVisible(number < len(found))
+        title = tr("Limits watched") if limits else tr("No limit is watched now")
+        self.title.show_text(f"{title}, {age.text}" if limits and age.old else title)
+        for row, margin in zip(self.rows, limits, strict=False):
+            row.show_margin(margin, old=age.old)
+        for number, row in enumerate(self.rows):
+            if row.isVisibleTo(self) != (number < len(limits)):
+                row.setVisible(number < len(limits))
 
 
 class SideColumn(QScrollArea):
-    """Hold the cards; a fault takes the place of the limits, and nothing else moves.
+    """The cards; a fault takes the place of the limits, and nothing else moves.
 
-    The window shows it the news with the strip above, since its ages grow; as a panel it only asks
-    that the log is followed, which tells of changed limits.
+    The window updates it together with the strip above, since its ages grow; as a panel it only
+    requires that the log is followed, for changed limits.
     """
 
     takes = Takes.LOG
@@ -354,17 +354,17 @@ class SideColumn(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidgetResizable(True)
-        held = QWidget()
+        content = QWidget()
         self.alarms = AlarmGlance()
         cards = (self.live, recover, self.alarms, self.connecting, self.limits)
-        column(*cards, None, on=held).setSpacing(GAP)
-        self.setWidget(held)
+        column(*cards, None, on=content).setSpacing(GAP)
+        self.setWidget(content)
         self.make_room(NARROW_WINDOW, tight=False)
 
     def make_room(self, width: int, *, tight: bool, alone: bool = False) -> None:
-        """Take the width of the window; a tight one leaves its room to the recovery.
+        """Fit the column to the width of the window; a tight one has no newest values.
 
-        alone: the column has the whole width, since no page stands beside it.
+        alone: the column has the whole width, since no page is beside it.
         """
         beside = WIDTH if width >= NARROW_WINDOW else NARROW_WIDTH
         self.setMinimumWidth(0 if alone else beside)
@@ -373,11 +373,11 @@ class SideColumn(QScrollArea):
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
-        for one in (self.live, self.limits, self.connecting, self.recover):
-            one.dress(theme)
+        for card in (self.live, self.limits, self.connecting, self.recover):
+            card.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show what is newest; limits give way to the recovery, before a test to the connection."""
+        """Show what is newest; in place of limits the recovery, before a test the connection."""
         self.live.show_news(news)
         if news.status is not None:
             self.alarms.show_alarms(news.status.alarms, recorded=news.is_replay)

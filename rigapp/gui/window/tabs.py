@@ -62,9 +62,9 @@ def _simulated(news: News) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Tab:
-    """One tab: its name, title, key and place, who makes its page, and when it is shown.
+    """One tab: its name, title, key and place, maker of its page, and when it is shown.
 
-    What a page takes of the news is said by its panels (``Panel.takes``).
+    Which news a page takes is stated by its panels (``Panel.takes``).
     """
 
     name: str
@@ -101,17 +101,16 @@ NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 class Tabs(QTabWidget):
     """Own every page; ``panels`` are the panels on them, by name.
 
-    A page is made when it is shown or a panel of it is asked for, and all of them once the window
-    is on the screen (``make_all``): a window is there in less than half the time.
+    A page is made when it or a panel of it is needed, and all of them once the window is on the
+    screen (``make_all``): the window appears in less than half the time.
 
-    ``made`` tells of a page that was made, ``wanted`` carries requests to the engine, ``said``
-    sentences, ``asked`` what the window is to do, ``help_wanted`` a section of
-    docs/troubleshooting.md.
+    Signals: ``made`` a page, ``wanted`` a request to the engine, ``reported`` a sentence,
+    ``requested`` an action of the window, ``help_wanted`` a section of docs/troubleshooting.md.
     """
 
     made = Signal(QWidget)
     wanted = Signal(str, dict)
-    said = Signal(str, bool)
+    reported = Signal(str, bool)
     requested = Signal(Act)
     help_wanted = Signal(str)
 
@@ -137,7 +136,7 @@ class Tabs(QTabWidget):
             worker,
             stalls,
             self.wanted.emit,
-            self.said.emit,
+            self.reported.emit,
             test.ask_revolution,
             self.requested.emit,
             self.help_wanted.emit,
@@ -154,19 +153,19 @@ class Tabs(QTabWidget):
         self.tabBar().hide()
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setDocumentMode(True)
-        for place, tab in enumerate(TABS):
+        for number, tab in enumerate(TABS):
             self.addTab(_scrolling(tab), f"{tab.key[-1]} {tr(tab.title)}")
-            self.setTabToolTip(place, f"{tr(tab.title)} ({key_text(tab.key)})")
+            self.setTabToolTip(number, f"{tr(tab.title)} ({key_text(tab.key)})")
         self._offer_tabs()
         self.currentChanged.connect(self._changed)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Make the page that is seen first."""
+        """Make the page that is visible first."""
         self._make(self.currentIndex())
         super().showEvent(event)
 
     def make_all(self, *, at_once: bool = False) -> None:
-        """Make the pages that nobody has wanted yet, each in a turn of its own."""
+        """Make the remaining pages, each in its own turn of the event loop."""
         calls = [partial(self._make, number) for number in self._unmade]
         if at_once:
             for call in calls:
@@ -191,12 +190,12 @@ class Tabs(QTabWidget):
         page.setAutoFillBackground(True)
         area, chain = self._area(number), _tab_chain(page)
         area.setWidget(page)
-        # Else Tab visits a late page after everything else; Qt puts nothing after a part without
-        # focus, which the area is again then.
+        # Else Tab visits a late page after everything else; Qt inserts nothing after a widget that
+        # takes no focus, so the area takes it for this moment.
         area.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         follow_in_tab_order(area, *chain)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        offer_menus(page, self.said.emit)
+        offer_menus(page, self.reported.emit)
         panels = [panel for name, panel in self.panels.items() if name not in before]
         for part in self._parts(number):
             dress_part(part, self._theme)
@@ -213,7 +212,7 @@ class Tabs(QTabWidget):
         self.made.emit(area)
 
     def close_pages(self) -> None:
-        """End what pages have begun: the page for browsers, a study."""
+        """End the processes of pages: the page for browsers, a study."""
         if "settings" in self.panels:
             self.settings.live.close_page()
         if "studies" in self.panels:
@@ -221,11 +220,11 @@ class Tabs(QTabWidget):
 
     @property
     def splitters(self) -> list[QSplitter]:
-        """Return the splitters whose places are kept, of the pages that are made."""
-        return [one for one in self.findChildren(QSplitter) if one.objectName()]
+        """Return the splitters whose positions are stored, of the pages made so far."""
+        return [splitter for splitter in self.findChildren(QSplitter) if splitter.objectName()]
 
     def restore_layout(self, settings: QSettings) -> None:
-        """Divide pages as they were left; those that are not made yet when they are."""
+        """Restore the divisions of pages; those of later pages when they are made."""
         self._layout = settings
         self._restore(self)
 
@@ -259,7 +258,7 @@ class Tabs(QTabWidget):
         return panel
 
     def take_selected(self) -> None:
-        """Show the own page of the test file that is open, while no test brings one along."""
+        """Show the operator's page of the open test file, unless a test has one."""
         if "own" not in self.panels:
             return
         selected = self.prepare.recipe.selected
@@ -288,10 +287,10 @@ class Tabs(QTabWidget):
 
     def places(self) -> set[RailPlace]:
         """Return the places that have pages now."""
-        return {tab.place for at, tab in enumerate(TABS) if self.isTabVisible(at)}
+        return {tab.place for number, tab in enumerate(TABS) if self.isTabVisible(number)}
 
     def show_place(self, place: RailPlace) -> None:
-        """Go to the page of a place that was seen last, its first one at the beginning."""
+        """Go to the last visited page of a place, at first its first one."""
         self._go_to(self._last_page[place])
 
     def show_page(self, name: str) -> None:
@@ -299,13 +298,13 @@ class Tabs(QTabWidget):
         self._go_to(NUMBERS[name])
 
     def dress_calls(self, theme: Theme) -> list[Callable[[], object]]:
-        """Return what puts the pages in a theme, a part each, what is seen first."""
+        """Return calls that put the pages in a theme, part by part, visible ones first."""
         self._theme = theme
         parts = [part for number in range(self.count()) for part in self._parts(number)]
         dressed = [panel for panel in self.panels.values() if isinstance(panel, Themed)]
         calls = [(part.isVisible(), partial(dress_part, part, theme)) for part in parts]
         calls += [(panel.isVisible(), partial(panel.dress, theme)) for panel in dressed]
-        return [call for _, call in sorted(calls, key=lambda one: not one[0])]
+        return [call for _, call in sorted(calls, key=lambda pair: not pair[0])]
 
     def _parts(self, number: int) -> list[QWidget]:
         area = self._area(number)
@@ -320,7 +319,7 @@ class Tabs(QTabWidget):
         return area
 
     def take(self, news: News) -> None:
-        """Take what every new status means, for panels that are seen or not."""
+        """Take a new status, for visible and hidden panels."""
         before, self._news = self._news, news
         for panel in list(self.panels.values()):
             if Takes.STATUS in panel.takes:
@@ -328,13 +327,13 @@ class Tabs(QTabWidget):
         self._lead(before, news)
 
     def draw_fast(self, news: News) -> None:
-        """Draw the newest revolution where it can be seen."""
+        """Draw the newest revolution where it is visible."""
         self._news = news
         for panel in self._seen(Takes.REVOLUTION):
             panel.show_news(news)
 
     def draw_slow(self, news: News, part: int = 0, parts: int = 1) -> None:
-        """Draw trends, tables and lists where they can be seen; one of so many parts of them."""
+        """Draw trends, tables and lists where they are visible; one of so many parts of them."""
         self._news = news
         if part == 0 and any(self._seen(Takes.LOG)):
             self._test.follow_log()
@@ -346,15 +345,16 @@ class Tabs(QTabWidget):
             panel.show_news(self._news)
 
     def _seen(self, what: Takes) -> Iterable[Panel]:
-        return (one for one in list(self.panels.values()) if what in one.takes and one.isVisible())
+        panels = list(self.panels.values())
+        return (panel for panel in panels if what in panel.takes and panel.isVisible())
 
     def _offer_tabs(self) -> None:
-        for place, tab in enumerate(TABS):
-            if self.isTabVisible(place) != tab.shown(self._news):
-                self.setTabVisible(place, tab.shown(self._news))
+        for number, tab in enumerate(TABS):
+            if self.isTabVisible(number) != tab.shown(self._news):
+                self.setTabVisible(number, tab.shown(self._news))
 
     def _lead(self, before: News, news: News) -> None:
-        """Go where the next step is, for somebody who looks at a page that has become idle."""
+        """Leave a page that has become idle for that of the next step."""
         was, now = before.status, news.status
         page = TABS[self.currentIndex()].name
         if page in ("start", "result") and not TABS[self.currentIndex()].shown(news):
@@ -364,9 +364,9 @@ class Tabs(QTabWidget):
         if over and page in ("start", "overview") and now is not None and not tripped(now):
             self.show_page("result")
 
-    def _go_to(self, place: int) -> None:
-        if self.isTabVisible(place):
-            self.setCurrentIndex(place)
+    def _go_to(self, number: int) -> None:
+        if self.isTabVisible(number):
+            self.setCurrentIndex(number)
 
     def _changed(self) -> None:
         self._make(self.currentIndex())
@@ -381,7 +381,7 @@ class Tabs(QTabWidget):
 
 
 def _tab_chain(page: QWidget) -> list[QWidget]:
-    """Return what the key Tab visits on a page that stands alone, in its order."""
+    """Return what the key Tab visits on a separate page, in its order."""
     chain: list[QWidget] = []
     widget = page.nextInFocusChain()
     while widget is not None and widget is not page:

@@ -1,4 +1,4 @@
-"""Watch the event loop: count stalls that an operator could feel, tell of them once a minute."""
+"""Monitor the event loop: count noticeable stalls, log them once a minute."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 log = logging.getLogger(__name__)
 
-STALL_S = 0.050  # a shorter pause nobody feels
+STALL_S = 0.050  # a shorter pause is not noticed
 PERIOD_S = 0.020  # less than half of a stall
 IDLE_PERIOD_S = 0.100  # without a test: each beat wakes the processor
 AGAIN_AFTER_S = 60.0
-"""After a line in the log, stalls are gathered for so long before the next."""
+"""Between two lines in the log, which sum up the stalls."""
 
 
 class Watchdog(QObject):
@@ -36,7 +36,7 @@ class Watchdog(QObject):
         self.stalls = 0
         self.worst_s = 0.0
         self._gathered: list[tuple[float, float]] = []
-        self._told_at = -math.inf
+        self._logged_at = -math.inf
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.beat)
@@ -48,14 +48,14 @@ class Watchdog(QObject):
         self._timer.setInterval(int(1000 * period_s))
 
     def start(self) -> None:
-        """Begin to watch."""
+        """Begin to monitor."""
         self._last = None
         self._timer.start()
 
     def stop(self) -> None:
-        """Stop watching, and tell what was gathered."""
+        """Stop monitoring, and log the last stalls."""
         self._timer.stop()
-        self._tell()
+        self._log()
 
     def beat(self) -> None:
         """Note one beat."""
@@ -66,12 +66,12 @@ class Watchdog(QObject):
             if stall > STALL_S:
                 self.stalls += 1
                 self._gathered.append((stall, own - self._last_own))
-        if now - self._told_at >= AGAIN_AFTER_S and self._tell():
-            self._told_at = now
+        if now - self._logged_at >= AGAIN_AFTER_S and self._log():
+            self._logged_at = now
         self._last, self._last_own = now, own
 
-    def _tell(self) -> bool:
-        """Say in one line what stalls were gathered; False when there were none."""
+    def _log(self) -> bool:
+        """Log the gathered stalls in one line; False when there were none."""
         if not self._gathered:
             return False
         longest, own = max(self._gathered)

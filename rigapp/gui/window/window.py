@@ -95,7 +95,7 @@ class MainWindow(QMainWindow):
         self._settings, self._again = settings, tuple(again)
         self.preferences = preferences or Preferences(settings)
         self._reader = TaskWorker("gui-files", bound=32)
-        # What is known of the wear takes seconds: files are not read behind it.
+        # Its computations take seconds: files are not read behind them.
         self._identifier = TaskWorker("gui-wear", bound=4)
         self._looks = 0
         self._part = 0
@@ -155,7 +155,7 @@ class MainWindow(QMainWindow):
         self._restore_layout()
 
     def show_first_page(self) -> None:
-        """Go to the page that a start begins with: before the window is shown no other is made."""
+        """Go to the first page: before the window is shown no other is made."""
         if not self._rig_file:  # a recorded test, whatever page was seen last
             self.tabs.show_page("overview")
         elif self.tabs.place is RailPlace.WATCH and self._start_wanted is None:
@@ -163,30 +163,30 @@ class MainWindow(QMainWindow):
 
     @property
     def start_bar(self) -> StartBar:
-        """Return the card of a start, made when it is first wanted, as the page of its test."""
+        """Return the card of a start, made on first access, as is the page of its test."""
         if self._start_bar is not None:
             return self._start_bar
-        made = self._start_bar = StartBar(
+        bar = self._start_bar = StartBar(
             self.tabs.prepare.recipe, self._tests, self._results_folder
         )
-        made.setParent(self.body)
-        made.installEventFilter(self)
-        made.started.connect(self.guide.leave)
-        made.started.connect(self.controls.start_test)
-        dress_part(made, self.theme)
-        self._forbid_buttons(made)
+        bar.setParent(self.body)
+        bar.installEventFilter(self)
+        bar.started.connect(self.guide.leave)
+        bar.started.connect(self.controls.start_test)
+        dress_part(bar, self.theme)
+        self._forbid_buttons(bar)
         self._show_occupied()
-        return made
+        return bar
 
     def _show_occupied(self) -> None:
-        """Say on the card of a start that a calibration occupies the rig."""
+        """Show on the card of a start that a calibration occupies the rig."""
         status = self._connection.status
         if self._start_bar is not None and status is not None:
-            found = status.engine.calibration
-            self._start_bar.show_occupied(occupied_text(status) if found is not None else "")
+            running = status.engine.calibration
+            self._start_bar.show_occupied(occupied_text(status) if running is not None else "")
 
     def _take_page(self, area: QWidget) -> None:
-        """Take a page that was made: the test file is opened in the form when that is there."""
+        """Prepare a page that was made: open the test file in the form."""
         self._forbid_buttons(area)
         if area.objectName() != "page_prepare":
             return
@@ -289,7 +289,7 @@ class MainWindow(QMainWindow):
 
     @property
     def settled(self) -> bool:
-        """Tell whether the engine has spoken and the history of its test is read."""
+        """Tell whether the engine has answered and the history of its test is read."""
         return self._connection.status is not None and self._test.settled
 
     def draw_now(self) -> None:
@@ -298,7 +298,7 @@ class MainWindow(QMainWindow):
         self.tabs.draw_slow(self.news)
 
     def start_when_idle(self, test: Path) -> None:
-        """Start a test as soon as the engine has been heard and runs no other."""
+        """Start a test as soon as the engine has answered and runs no other."""
         self._start_wanted = test
 
     def switch_theme(self) -> None:
@@ -306,11 +306,11 @@ class MainWindow(QMainWindow):
         other = "dark" if self.theme.name == "light" else "light"
         self.preferences.put(Preference.THEME, other)
 
-    def _take_choice(self, what: Preference) -> None:
+    def _take_choice(self, preference: Preference) -> None:
         """Follow a choice of the user at once, where that is possible."""
-        if what is Preference.THEME and self.preferences.theme is not self.theme:
+        if preference is Preference.THEME and self.preferences.theme is not self.theme:
             self.dress(self.preferences.theme)
-        elif what is Preference.OPERATOR:
+        elif preference is Preference.OPERATOR:
             self._connection.sign_as(self.preferences.get(Preference.OPERATOR))
 
     def dress(self, theme: Theme) -> None:
@@ -322,7 +322,7 @@ class MainWindow(QMainWindow):
         self.dressing.instead([*self._dress_calls(), self.draw_now])
 
     def _dress_calls(self) -> Iterator[Callable[[], object]]:
-        """Give what puts each part in the theme: what is seen first, no part for long."""
+        """Yield calls that put each part in the theme: visible ones first, none of them long."""
         theme = self.theme
         yield self._paint_frame
         bars = (self.header, self.rail, self.messages, self.notice, self.viewer_bar, self.controls)
@@ -354,7 +354,7 @@ class MainWindow(QMainWindow):
         dialog.activateWindow()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask while a test is under way; else remember the layout and detach."""
+        """Ask while a test is under way; else store the layout and detach."""
         status = self._connection.status
         active = status is not None and status.engine.state in ACTIVE
         attached = (
@@ -370,7 +370,7 @@ class MainWindow(QMainWindow):
         self.pulse.stop()
         self._save_layout()
         self.tabs.close_pages()
-        self.guide.close()  # it frees the rig over the line that is closed next
+        self.guide.close()  # it releases the rig over the connection, which is closed next
         self._connection.close()
         self._test.close()
         self._results.close()
@@ -392,7 +392,7 @@ class MainWindow(QMainWindow):
         return True
 
     def close_without_question(self) -> None:
-        """Close without a question: a signal asks for it, or the terminal is gone."""
+        """Close without a question: at a signal, or when the terminal is gone."""
         self._closing = "now"
         self._close_for_good()
 
@@ -459,7 +459,7 @@ class MainWindow(QMainWindow):
             self._leave()
 
     def _do(self, act: Act) -> None:
-        """Do what a panel asks for."""
+        """Do the action that a panel requests."""
         if act is Act.TRY:
             self._try_simulated()
         elif act is Act.CALIBRATE:
@@ -470,7 +470,7 @@ class MainWindow(QMainWindow):
             self.tabs.show_page(act.value)
 
     def _try_simulated(self) -> None:
-        """Start the first test that is offered; a real rig stays as it is."""
+        """Start the first test of the list on a simulated rig; beside a real one open a window."""
         status = self._connection.status
         if status is None:
             self._say("Wait for the engine: which rig it drives is not known yet.", good=False)
@@ -528,13 +528,13 @@ class MainWindow(QMainWindow):
             self.resize(min(width, room.width()), min(height, room.height() - FRAME_HEIGHT))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the side column in proportion, and the card of a start above the buttons."""
+        """Fit the room, and place the card of a start above the buttons."""
         super().resizeEvent(event)
         self.room.fit()
         self._place_start_bar()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Show the card of a start when it appears."""
+        """Place the card of a start when it appears."""
         if event.type() == QEvent.Type.Show:
             self._place_start_bar()
         return super().eventFilter(watched, event)
@@ -578,7 +578,7 @@ class MainWindow(QMainWindow):
         self.controls.answered.connect(self.recover.answered)
         self.controls.refused.connect(lambda refused: self.messages.give_room(refused=refused))
         self.guide.moved.connect(self._show_place)
-        self.guide.said.connect(self._say_answer)
+        self.guide.reported.connect(self._say_answer)
         self.guide.occupied.connect(self.controls.tell_occupied)
         self.guide.end_bar.wanted.connect(self.controls.send)
         self.close_bar.leave.connect(self._leave)
@@ -588,7 +588,7 @@ class MainWindow(QMainWindow):
         self.controls.command_line.take_over_wanted.connect(self.viewer_bar.ask)
         self.viewer_bar.wanted.connect(self.controls.send)
         self.tabs.wanted.connect(self.controls.send)
-        self.tabs.said.connect(self._say_answer)
+        self.tabs.reported.connect(self._say_answer)
         self.tabs.requested.connect(self._do)
         self.tabs.made.connect(self._take_page)
         self.tabs.help_wanted.connect(self.help_with)
@@ -608,17 +608,17 @@ class MainWindow(QMainWindow):
         QShortcut(QKeySequence(ACKNOWLEDGE_KEY), self.controls, self._acknowledge)
 
     def _choose_page(self, number: int) -> None:
-        """Go to a page by its key, also from a guide or the way out of a fault in its place."""
+        """Go to a page by its key, also from a guide or the recovery in its place."""
         if self.tabs.isTabVisible(number):
             self.page_bar.chosen.emit(number)
 
     def _acknowledge(self) -> None:
-        """Acknowledge the alarm that is told in full; go where it is told if it is not seen."""
+        """Acknowledge the alarm that is shown in full; show the alarms where none is visible."""
         page = self.tabs.panels["alarms"]
         assert isinstance(page, AlarmPanel)
-        for told in (self.side.alarms, page):
-            if told.isVisible():
-                told.acknowledge.click()
+        for alarms in (self.side.alarms, page):
+            if alarms.isVisible():
+                alarms.acknowledge.click()
                 return
         self.tabs.show_page("limits")
 

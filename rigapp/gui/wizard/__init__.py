@@ -1,1 +1,1 @@
-"""The calibration wizard: the window's face of ``rigapp.calibrating``, one page a question."""
+"""The calibration wizard: the user interface of ``rigapp.calibrating``, one page for each task."""

@@ -1,4 +1,4 @@
-"""A page of the wizard: it scrolls up and down where the window is low, and folds where narrow."""
+"""A page of the wizard: it scrolls where the window is low, and folds where it is narrow."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ from rigapp.presentation.tokens import BODY_PT, GAP, STEP, VALUE_PT
 from rigapp.presentation.translation import Text, tr
 
 TWO, FOUR = 64 * STEP, 112 * STEP
-"""Least widths of a page on which two and four parts find room beside each other."""
+"""Least widths of a page on which two and four parts have room beside each other."""
 ABOVE_AND_BELOW = 20 * STEP
-"""What else is to be seen with a picture: the sentence above it, the buttons below."""
+"""Height of what must be visible with a picture: the sentence above it, the buttons below."""
 LEAST_HEIGHT = 24 * STEP
-"""Of a page: a lower one has no room for a picture; what it shows is said in words, too."""
+"""Of a page: a lower one has no room for a picture, whose contents are in its words, too."""
 
 
 class Yielding(QWidget):
-    """What is as high as its content needs at its width, and no higher."""
+    """A widget as high as its content needs at its width, and no higher."""
 
     def minimumSizeHint(self) -> QSize:
         """Return the least width; the height follows from it."""
@@ -39,7 +39,7 @@ class Yielding(QWidget):
 
 
 class GuidePage(QWizardPage):
-    """A page whose content scrolls; its main button stands in the foot of the wizard.
+    """A page whose content scrolls; its main button is in the foot of the wizard.
 
     step: its name in the column of the steps.
     """
@@ -56,21 +56,21 @@ class GuidePage(QWizardPage):
         self._pairs: list[tuple[QBoxLayout, int]] = []
 
     def hold(self, *items: Item | tuple[Item, int]) -> None:
-        """Take the content, from top to bottom."""
+        """Set the content, from top to bottom."""
         inside = Yielding()
-        made = filled(QVBoxLayout(inside), (self._where, *items))
-        made.setContentsMargins(0, 0, STEP, 0)
-        made.setSpacing(GAP)
+        layout = filled(QVBoxLayout(inside), (self._where, *items))
+        layout.setContentsMargins(0, 0, STEP, 0)
+        layout.setSpacing(GAP)
         area = scrolling("guide_page", "Page", inside)
-        # Only what wants to grow is given the height of a wizard.
+        # Only what may grow gets the height of a wizard.
         area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         column(area, on=self)
 
     def asking(self, name: str, lines: int = 1) -> QLabel:
-        """Return the sentence that says what to do now, to be read from where the hands are.
+        """Return the sentence that says what to do now, legible from the rig.
 
-        lines: that it has at least, so that nothing below moves from step to step.
+        lines: its least number, so that nothing below moves from step to step.
         """
         self._lines = lines
         self._asking = sentence(name, "What to do now")
@@ -79,29 +79,29 @@ class GuidePage(QWizardPage):
 
     def beside(self, least: int, *items: Item | tuple[Item, int]) -> QHBoxLayout:
         """Return items side by side, and below each other on a page less wide than ``least``."""
-        made = row(*items)
-        made.setSpacing(GAP)
-        self._pairs.append((made, least))
-        return made
+        layout = row(*items)
+        layout.setSpacing(GAP)
+        self._pairs.append((layout, least))
+        return layout
 
     def take_focus(self) -> None:
         """Give the focus to what had it last on this page, else to the page itself."""
-        one = self.wizard().focusWidget()
-        (one if one is not None and self.isAncestorOf(one) else self).setFocus()
+        focused = self.wizard().focusWidget()
+        (focused if focused is not None and self.isAncestorOf(focused) else self).setFocus()
 
     def say_complete(self, *progress: object) -> None:
-        """Say whether it is complete and how far it is, when that has changed."""
+        """Emit ``completeChanged`` when completeness or progress has changed."""
         now = (self.isComplete(), *progress)
         if now != self._progress:
             self._progress = now
             self.completeChanged.emit()
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
-        """Return the buttons of its own in the foot of the wizard, and whether they are shown."""
+        """Return the page's own buttons in the foot of the wizard, and whether they are shown."""
         return ()
 
     def make_room(self, width: int, height: int, *, alone: bool) -> None:
-        """Fit the content to the size of the page; alone: no column of steps stands beside it."""
+        """Fit the content to the size of the page; alone: no column of steps is beside it."""
         low = height < LEAST_HEIGHT
         self._where.setVisible(alone and not low)
         if self._asking is not None:
@@ -109,10 +109,10 @@ class GuidePage(QWizardPage):
             self._asking.setFont(sized(self.font(), points, QFont.Weight.DemiBold))
             line = self._asking.fontMetrics().lineSpacing()
             self._asking.setMinimumHeight(0 if low else self._lines * line)
-        for made, least in self._pairs:
+        for layout, least in self._pairs:
             narrow = width < least
             way = QBoxLayout.Direction.TopToBottom if narrow else QBoxLayout.Direction.LeftToRight
-            made.setDirection(way)
+            layout.setDirection(way)
         for picture in self.findChildren(Picture):
             picture.setVisible(not low)
             picture.stay_within(height - ABOVE_AND_BELOW)

@@ -1,4 +1,4 @@
-"""The calibration under way, as the window's pages see it: session, newest window, background."""
+"""The calibration under way for the wizard's pages: session, newest window, background work."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.taking.signals import LISTEN_S, Readiness, SignalState
 
 LOOK_MS = 150
-"""Often enough for a hand that waits for a sign; the engine's answer holds the last seconds."""
+"""Often enough for an operator who waits for a sign; an answer has the last seconds."""
 NOWHERE = (-1, -1)
 Question = tuple[str, dict[str, Any]]
 """A verb of the engine and its arguments."""
@@ -45,7 +45,7 @@ class HandsQueue:
     def __init__(
         self, line: AskLater, acted: Callable[[float], None], failed: Callable[[str], None]
     ) -> None:
-        """Take the engine; ``acted`` is told the first device sample after an action."""
+        """Set the engine; ``acted`` is called with the first device sample after an action."""
         self._line, self._acted, self._failed = line, acted, failed
         self._actions: deque[Action] = deque()
         self.busy = False
@@ -64,7 +64,7 @@ class HandsQueue:
             self.add(actions)
 
     def drop(self) -> None:
-        """Do nothing more; the engine puts the rig together when the calibration ends."""
+        """Drop all actions; the engine restores the rig when the calibration ends."""
         self._actions.clear()
 
     def _next(self) -> None:
@@ -85,21 +85,21 @@ class HandsQueue:
 
 
 class LiveCalibration(QObject):
-    """Listen to the engine and hold the calibration under way; nothing here waits.
+    """Poll the engine and hold the calibration under way; nothing here waits.
 
-    question: what the engine is asked over and over; view: its newest answer, None before there is
-    one. key: of the calibration that occupies the rig.
+    question: the request sent over and over; view: the newest answer, None before there is one.
+    key: of the calibration that occupies the rig.
     """
 
     question: Question = ("signals", {"window_s": LISTEN_S})
 
     looked = Signal()
     moved = Signal()
-    said = Signal(str)
+    reported = Signal(str)
     evaluated = Signal()
 
     def __init__(self, line: AskLater, rig: Rig, session_type: type[AnySession]) -> None:
-        """Take the engine, where the readings come from, and what is calibrated."""
+        """Set the engine, the source of the readings, and the type of the calibration."""
         super().__init__()
         self._line, self._session_type = line, session_type
         self.rig, self.practice = rig, session_type.practice
@@ -124,29 +124,29 @@ class LiveCalibration(QObject):
 
     @property
     def trains(self) -> bool:
-        """Tell whether simulated hands are offered: on a simulated rig, in training mode."""
+        """Tell whether there is a simulated operator: on a simulated rig, in training mode."""
         return self.rig.simulated and self.hands_offered
 
     # --- the session -----------------------------------------------------------------------------
 
-    def open(self, given: CalibrationFile, journal: Path, plan: Any) -> None:
-        """Begin a calibration, or take it up where there is no plan; raise UnusableInput."""
+    def open(self, settings: CalibrationFile, journal: Path, plan: Any) -> None:
+        """Begin a calibration, or resume it where there is no plan; raise UnusableInput."""
         self.close_session()
         self.session = self._session_type(
-            given, self.rig, journal, plan, keep_waiting_times=not self.trains
+            settings, self.rig, journal, plan, keep_waiting_times=not self.trains
         )
         self.outcome = None
         self._since, self._acted_at, self._done_for = 0, -1, NOWHERE
         self.moved.emit()
 
     def close_session(self) -> None:
-        """Let the journal go."""
+        """Close the session and its journal."""
         if self.session is not None:
             self.session.close()
             self.session = None
 
     def close(self) -> None:
-        """Stop listening and free the rig; what was recorded stays."""
+        """Stop polling and release the rig; what was recorded stays."""
         self._timer.stop()
         self._hands.drop()
         self.close_session()
@@ -155,7 +155,7 @@ class LiveCalibration(QObject):
             self._line("calibration_end", {"key": self.key}, lambda reply: None)
 
     def tick(self) -> None:
-        """Ask the engine again unless an answer is still due."""
+        """Send the request again unless an answer is still due."""
         self._worker.deliver()
         if not self._requested:
             self._requested = True
@@ -166,7 +166,7 @@ class LiveCalibration(QObject):
         if not reply.ok:
             self.window = self.readiness = None
             if self.session is not None:
-                self.said.emit(translate(reply.sentence))
+                self.reported.emit(translate(reply.sentence))
             self.looked.emit()
             return
         self.view = reply.result
@@ -185,7 +185,7 @@ class LiveCalibration(QObject):
     # --- what the operator does ------------------------------------------------------------------
 
     def take(self, at: float | None = None) -> bool:
-        """Take the step under way, at what was read off (SI); what stands against it is said."""
+        """Record the step under way, at what was read off (SI); report what prevents it."""
         window = self.window
         return window is not None and self.attempt(lambda session: session.take(window, at))
 
@@ -194,16 +194,16 @@ class LiveCalibration(QObject):
         return self.attempt(lambda session: session.reject(index, reason))
 
     def attempt(self, act: Callable[[Any], object]) -> bool:
-        """Do something with the session; what stands against it is said."""
+        """Do something with the session; report what prevents it."""
         if self.session is None:
             return False
         try:
             act(self.session)
         except (ProcedureError, UnusableInput) as error:
-            self.said.emit(translate(sentence_of_error(error)))
+            self.reported.emit(translate(sentence_of_error(error)))
             self.moved.emit()
             return False
-        self.said.emit("")
+        self.reported.emit("")
         if self.window is not None:
             self.readiness = self.session.look(self.window)
         self.moved.emit()
@@ -211,34 +211,34 @@ class LiveCalibration(QObject):
         return True
 
     def judge(self) -> None:
-        """Fit and check off the screen's thread; ``judged`` tells when it is done."""
+        """Fit and check off the screen's thread; ``evaluated`` is emitted when it is done."""
         self.outcome = None
         if self.session is not None:
             self.run(self.session.judge, self._evaluated)
 
     def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
-        """Do work off the screen's thread; a failure is said."""
+        """Do work off the screen's thread; report a failure."""
         self._worker.submit(
-            work, done, lambda error: self.said.emit(translate(sentence_of_error(error)))
+            work, done, lambda error: self.reported.emit(translate(sentence_of_error(error)))
         )
 
     def ask(self, verb: str, handler: Callable[[Reply], None]) -> None:
-        """Ask the engine for something without arguments; the handler is called later."""
+        """Send a request without arguments; the handler is called later."""
         self._line(verb, {}, handler)
 
     def _evaluated(self, outcome: Outcome) -> None:
         self.outcome = outcome
         self.evaluated.emit()
 
-    # --- simulated hands -------------------------------------------------------------------------
+    # --- simulated operator ----------------------------------------------------------------------
 
     @property
     def hands_busy(self) -> bool:
-        """Tell whether the simulated hands are at work."""
+        """Tell whether the simulated operator is acting."""
         return self._hands.busy
 
     def plant(self, mistake: StrEnum) -> None:
-        """Let the simulated hands make a mistake from what they do next on."""
+        """Let the simulated operator make a mistake from the next action on."""
         self.mistake = mistake
         if self.session is not None:
             position = self.session.procedure.position
@@ -247,7 +247,7 @@ class LiveCalibration(QObject):
             self._hands.add(self.practice.plant(mistake))
 
     def lend_a_hand(self) -> None:
-        """Let the simulated hands do what the step asks."""
+        """Let the simulated operator do the step."""
         if self.session is None or self.session.procedure.done:
             return
         self._acted_at = self.session.procedure.position
@@ -271,4 +271,4 @@ class LiveCalibration(QObject):
 
     def _failed(self, sentence: str) -> None:
         self.goes_ahead = False
-        self.said.emit(translate(sentence))
+        self.reported.emit(translate(sentence))

@@ -1,4 +1,4 @@
-"""The page of the angle reference; then questions and pictures of each calibration type."""
+"""The page of the angle reference; then fields and pictures of each calibration type."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class AnglePage(GuidePage):
         self.follow.toggled.connect(self._follow)
         self._follow(True)
         live.looked.connect(self._look)
-        live.said.connect(self.problem.setText)
+        live.reported.connect(self.problem.setText)
 
     def initializePage(self) -> None:
         """Show the uncertainty of the settings."""
@@ -109,7 +109,7 @@ class AnglePage(GuidePage):
         self._look()
 
     def _keep_first(self) -> None:
-        """Keep the angle as the first of two, or forget it."""
+        """Keep the angle as the first of two, or drop it."""
         if self._first_deg is not None:
             self._forget_first()
             return
@@ -146,7 +146,7 @@ class AnglePage(GuidePage):
         )
 
     def isComplete(self) -> bool:
-        """Tell whether the crank stands at a known angle, or the reference was taken already."""
+        """Tell whether the crank is stationary at a known angle, or the reference is taken."""
         live = self._live
         if live.session is None:
             return False
@@ -162,8 +162,8 @@ class AnglePage(GuidePage):
             return True
         shown, first = math.radians(self.shown.value()), self._first_deg
         if first is not None:
-            one = math.radians(first)
-            return self._live.attempt(lambda session: session.reference_reversed(one, shown))
+            before = math.radians(first)
+            return self._live.attempt(lambda session: session.reference_reversed(before, shown))
         uncertainty = math.radians(self.uncertainty.value())
         return self._live.attempt(lambda session: session.reference(shown, uncertainty))
 
@@ -187,14 +187,14 @@ class AnglePage(GuidePage):
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
         self._tell_first()
-        told = "" if now is None else f"{math.degrees(math.remainder(now, math.tau)):+.2f}°"
-        self.measured.show_value(told.replace("-", "\u2212"))
+        text = "" if now is None else f"{math.degrees(math.remainder(now, math.tau)):+.2f}°"
+        self.measured.show_value(text.replace("-", "\u2212"))
         self.picture.show_scene(LevelScene(now, turned=self._first_deg is not None))
         self.say_complete()
 
 
 MOST_POSITIONS = 41
-"""More than an operator takes at a window; the command line takes more."""
+"""More than an operator takes in the window; the command line allows more."""
 ROUNDED_GRAVITY = 9.81
 
 
@@ -203,8 +203,8 @@ class Face:
     """How the window shows a subject of ``SUBJECTS``.
 
     what: in the wizard's title. readings: the page on which they are taken. angle: there is an
-    angle reference. sketch: what will be done. plot: of the residuals; fitted: it stands beside the
-    result, too. session: of a subject without steps. live: what listens to the engine.
+    angle reference. sketch: what will be done. plot: of the residuals; fitted: it is beside the
+    result, too. session: of a subject without steps. live: what polls the engine.
     """
 
     what: Text
@@ -229,8 +229,8 @@ def _taken(steps: tuple[Step, ...]) -> str:
 def _describe_load_cell(plan: LoadCellPlan, values: Values, settings: LoadCellFile) -> str:
     steps = plan.steps()
     most = max(step.value for step in steps)
-    told: Text = "{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}"
-    text = tr(told, len(plan.pieces), sum(plan.pieces), most, _taken(steps))
+    words: Text = "{} pieces, {:g} kg in all. The heaviest load is {:g} kg; {}"
+    text = tr(words, len(plan.pieces), sum(plan.pieces), most, _taken(steps))
     stated = settings.place.gravity_m_s2 is not None
     if stated and abs(values["gravity"] - ROUNDED_GRAVITY) < 1e-6:
         text += tr(
@@ -276,7 +276,7 @@ WEIGHING = Questions(
     title="Plan and weights",
     subtitle="Every reading is saved at once. You can close the wizard at any time and take the"
     " calibration up again.",
-    given=LoadCellFile(schema=1, cell=CellSection(name="Load cell")),
+    defaults=LoadCellFile(schema=1, cell=CellSection(name="Load cell")),
     fields=(
         Field("cell", "&Load cell", edit, "Load cell", "cell.name", "Name of the load cell"),
         Field("plan", "&Plan", partial(choice, items=_WEIGHING_PLANS), "routine"),
@@ -300,7 +300,7 @@ def _describe_probes(plan: ProbePlan, values: Values, settings: ProbeFile) -> st
 
 
 def _propose_range(view: Any, values: Values, settings: ProbeFile) -> Values:
-    """Propose 80 % of the range, once the engine has told the sensitivity in use."""
+    """Propose 80 % of the range, once the engine has reported the sensitivity in use."""
     known, range_V = view["sensitivity_um_per_V"], settings.probe.range_V
     return {"reach": usual_reach_um(known, range_V, values["positions"])}
 
@@ -337,7 +337,7 @@ MEASURING = Questions(
     title="Probe and plan",
     subtitle="A micrometer moves the target in equal steps, up and down; the voltage is read at"
     " each step. Every reading is saved at once: close at any time and take it up again.",
-    given=ProbeFile(schema=1, probe=ProbeSection(name="Probe")),
+    defaults=ProbeFile(schema=1, probe=ProbeSection(name="Probe")),
     fields=(
         Field("which", "&Calibrate", partial(choice, items=_PROBES), "1", spoken="Which probe"),
         Field("name", "N&ame", edit, "Probe", "probe.name", "Name of the probe"),
@@ -376,7 +376,7 @@ ROLLING = Questions(
     title="Rolls",
     subtitle="The spindle turns slowly with the follower on the pin and an unworn bushing, whose"
     " probes then see the pin's own run-out. Two speeds tell inertia from run-out.",
-    given=RunOutFile(schema=1),
+    defaults=RunOutFile(schema=1),
     fields=(
         Field("name", "Name of the &pin", edit, "pin", "pin.name"),
         Field("plan", "P&lan", partial(choice, items=_ROLLING_PLANS), "routine"),

@@ -1,4 +1,4 @@
-"""First page: which plan, with what, for which item; begin anew or take up."""
+"""First page: plan and settings of a new calibration, or one to resume."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ from rigapp.texts import sentence_of_error
 
 NEW: Text = "Begin a new calibration"
 PLAN, RIG = "plan", "rig"
-"""Where a field is kept that is no setting: in the plan, which a journal tells, or in the rig."""
+"""Where a field is stored that is no setting: in the plan, which the journal has, or in the rig."""
 
 Values = Mapping[str, Any]
-"""What the fields of a plan say, by name."""
+"""Values of the fields of a plan, by name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,8 +45,8 @@ class Field:
     """One field of the page.
 
     name: of the widget, after the stem. text: its caption. make (name, read aloud): the widget.
-    start: its value at first. kept: ``PLAN``, ``RIG``, or section.key of the settings. spoken: its
-    caption unless told.
+    start: its value at first. kept: ``PLAN``, ``RIG``, or section.key of the settings. spoken: by
+    default its caption.
     """
 
     name: str
@@ -63,19 +63,19 @@ def _nothing(*_: Any) -> Values:
 
 @dataclass(frozen=True, slots=True)
 class Questions:
-    """What is asked before a subject is calibrated.
+    """The first page of a subject.
 
-    stem: of the widgets' names; journals: of the files in the folder. given: the settings without a
-    file. culprit: the field that is likely wrong when a plan is. describe (plan, values, settings):
-    what a plan means, in words. derived (settings): values of settings that follow from others.
-    propose (answer of the engine, values, settings): values until others are typed.
+    stem: of the widgets' names; journals: of the files in the folder. defaults: the settings
+    without a file. culprit: the field that is likely wrong when a plan is. describe (plan, values,
+    settings): what a plan means, in words. derived (settings): values of settings that follow from
+    others. propose (answer of the engine, values, settings): values until others are typed.
     """
 
     stem: str
     journals: str
     title: Text
     subtitle: Text
-    given: CalibrationFile
+    defaults: CalibrationFile
     fields: tuple[Field, ...]
     culprit: str
     describe: Callable[[Any, Values, Any], str]
@@ -87,7 +87,7 @@ OPERATOR = Field("operator", "&Operator", edit, "", "paperwork.operator")
 
 
 class PlanPage(GuidePage):
-    """Choose plan and settings, or a calibration to take up."""
+    """Choose plan and settings, or a calibration to resume."""
 
     def __init__(
         self,
@@ -100,13 +100,13 @@ class PlanPage(GuidePage):
         theme: Theme,
         chosen: Values | None = None,
     ) -> None:
-        """Make the fields of a subject; planned: its plan; chosen: what fields say at first.
+        """Make the fields of a subject; planned: its plan; chosen: first values of fields.
 
         sketch: what will be done.
         """
         super().__init__(asks.title)
         self._live, self._folder, self.asks, self._planned = live, folder, asks, planned
-        self._given: Any = asks.given
+        self._record: Any = asks.defaults
         stem = asks.stem
         self.subtitle = prose(f"{stem}_subtitle", "What this is", asks.subtitle)
         self.subtitle.setProperty("role", "secondary")
@@ -133,14 +133,15 @@ class PlanPage(GuidePage):
         self._fields = (*asks.fields, OPERATOR)
         self._typed: set[str] = set()
         self.fields: dict[str, Any] = {}
-        found = {"operator": live.rig.operator, "test": live.rig.test, **(chosen or {})}
-        for one in self._fields:
-            widget = one.make(f"{stem}_{one.name}", tr(one.spoken) or tr(one.text).replace("&", ""))
-            self.fields[one.name] = widget
+        values = {"operator": live.rig.operator, "test": live.rig.test, **(chosen or {})}
+        for spec in self._fields:
+            spoken = tr(spec.spoken) or tr(spec.text).replace("&", "")
+            widget = spec.make(f"{stem}_{spec.name}", spoken)
+            self.fields[spec.name] = widget
             if isinstance(widget, QLineEdit):
                 fit_hint(widget)
-            show_value(widget, found.get(one.name) or one.start)
-            field(form, one.text, widget)
+            show_value(widget, values.get(spec.name) or spec.start)
+            field(form, spec.text, widget)
             for signal in ("textChanged", "valueChanged", "currentIndexChanged"):
                 if hasattr(widget, signal):
                     getattr(widget, signal).connect(self._changed)
@@ -152,41 +153,41 @@ class PlanPage(GuidePage):
         self._take_settings()
 
     def _changed(self) -> None:
-        """Follow a field; what is typed into it is not proposed any more."""
-        self._typed.update(name for name, one in self.fields.items() if one.hasFocus())
+        """Follow a field; a typed value is not proposed any more."""
+        self._typed.update(name for name, widget in self.fields.items() if widget.hasFocus())
         self._propose()
         self.summarise()
 
-    # --- what the fields say ---------------------------------------------------------------------
+    # --- the fields ------------------------------------------------------------------------------
 
     @property
     def values(self) -> Values:
-        """Return what the fields say, by name."""
+        """Return the values of the fields, by name."""
         return {name: value_of(widget) for name, widget in self.fields.items()}
 
     def settings_now(self) -> Any:
-        """Return the settings with what the fields say.
+        """Return the settings with the values of the fields.
 
         A setting that follows from others stays as it is.
         """
-        given, derived, values = self._given, self.asks.derived(self._given), self.values
-        for one in self._fields:
-            if one.kept in (PLAN, RIG):
+        settings, derived, values = self._record, self.asks.derived(self._record), self.values
+        for spec in self._fields:
+            if spec.kept in (PLAN, RIG):
                 continue
-            if one.name in derived and attrgetter(one.kept)(given) is None:
+            if spec.name in derived and attrgetter(spec.kept)(settings) is None:
                 continue
-            section, _, key = one.kept.partition(".")
-            changed = {key: one.start if values[one.name] == "" else values[one.name]}
-            inner = msgspec.structs.replace(getattr(given, section), **changed)
-            given = msgspec.structs.replace(given, **{section: inner})
-        return given
+            section, _, key = spec.kept.partition(".")
+            changed = {key: spec.start if values[spec.name] == "" else values[spec.name]}
+            inner = msgspec.structs.replace(getattr(settings, section), **changed)
+            settings = msgspec.structs.replace(settings, **{section: inner})
+        return settings
 
     def wanted(self) -> Any:
-        """Return the plan that the fields say; raise UnusableInput or ValueError."""
+        """Return the plan by the fields; raise UnusableInput or ValueError."""
         return self._planned(self.values, self.settings_now())
 
     def read_settings(self) -> None:
-        """Take the fields from the settings file, if one is named, and say what they mean."""
+        """Fill the fields from the settings file, if one is named, and show what they mean."""
         if self._take_settings():
             self.summarise()
 
@@ -194,7 +195,7 @@ class PlanPage(GuidePage):
         name = self.settings.text().strip()
         if name:
             try:
-                self._given = read_document(Path(name), type(self._given)).record
+                self._record = read_document(Path(name), type(self._record)).record
                 self._show_settings()
             except UnusableInput as error:
                 self.problem.setText(translate(sentence_of_error(error)))
@@ -203,18 +204,18 @@ class PlanPage(GuidePage):
         return True
 
     def _show_settings(self) -> None:
-        derived = self.asks.derived(self._given)
-        for one in self._fields:
-            if one.kept not in (PLAN, RIG):
-                stated = attrgetter(one.kept)(self._given)
-                value = derived.get(one.name) if stated is None else stated
+        derived = self.asks.derived(self._record)
+        for spec in self._fields:
+            if spec.kept not in (PLAN, RIG):
+                stated = attrgetter(spec.kept)(self._record)
+                value = derived.get(spec.name) if stated is None else stated
                 if value not in (None, ""):
-                    show_value(self.fields[one.name], value)
+                    show_value(self.fields[spec.name], value)
 
     # --- the page --------------------------------------------------------------------------------
 
     def initializePage(self) -> None:
-        """Offer a new calibration and every journal without a record, the newest first."""
+        """List a new calibration and every journal without a record, the newest first."""
         self.begin.clear()
         self.begin.addItem(tr(NEW), None)
         for path in sorted(self._folder.glob(f"{self.asks.journals}-*.journal"), reverse=True):
@@ -224,7 +225,7 @@ class PlanPage(GuidePage):
         self.summarise()
 
     def validatePage(self) -> bool:
-        """Begin or take up; what is wrong is said below, with the focus where it is."""
+        """Begin or resume; show what is wrong, with the focus on its field."""
         for box in self.findChildren(QAbstractSpinBox):
             box.interpretText()
         chosen = self.begin.currentData()
@@ -244,24 +245,24 @@ class PlanPage(GuidePage):
         return True
 
     def summarise(self) -> None:
-        """Say what the fields mean."""
+        """Show what the fields mean."""
         anew = not self.begin.currentData()
-        for one in self._fields:
-            self.fields[one.name].setEnabled(anew or one.kept != PLAN)
+        for spec in self._fields:
+            self.fields[spec.name].setEnabled(anew or spec.kept != PLAN)
         if not anew:
             self.summary.setText(tr("The plan and all readings are those of the journal."))
             return
         try:
-            told = self.asks.describe(self.wanted(), self.values, self.settings_now())
+            summary = self.asks.describe(self.wanted(), self.values, self.settings_now())
         except (UnusableInput, ValueError) as error:
-            told = sentence_of_error(error)
-        self.summary.setText(translate(told))
+            summary = sentence_of_error(error)
+        self.summary.setText(translate(summary))
 
     def _propose(self) -> None:
-        """Propose what the engine's answer tells, until something else is typed."""
+        """Propose values by the engine's answer, until something else is typed."""
         if self._live.session is not None or self._live.view is None:
             return
-        proposed = self.asks.propose(self._live.view, self.values, self._given)
+        proposed = self.asks.propose(self._live.view, self.values, self._record)
         for name in proposed.keys() - self._typed:
             show_value(self.fields[name], proposed[name])
 
@@ -281,14 +282,14 @@ class PlanPage(GuidePage):
 
 
 def value_of(widget: Any) -> Any:
-    """Return what a field says."""
+    """Return the value of a field."""
     if isinstance(widget, QComboBox):
         return widget.currentData()
     return widget.text().strip() if isinstance(widget, QLineEdit) else widget.value()
 
 
 def show_value(widget: Any, value: Any) -> None:
-    """Let a field say something."""
+    """Set the value of a field."""
     if isinstance(widget, QComboBox):
         widget.setCurrentIndex(widget.findData(value))
     elif isinstance(widget, QLineEdit):

@@ -1,4 +1,4 @@
-"""The page of what came out, saved or refused; of a daily check, the control chart."""
+"""The page of the result, accepted or refused, with the control chart of a daily check."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from rigapp.texts import sentence_of_error
 
 
 class ChartPlot(QWidget):
-    """Show the sensitivity of all checks with the calibration in use, and what the rules say."""
+    """Show the sensitivity in all checks beside the calibration in use, and the verdict."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -40,7 +40,7 @@ class ChartPlot(QWidget):
         self._line = pg.PlotDataItem(symbol="o", symbolSize=8)
         self.plot.addItem(self._line)
         self._guides: list[pg.InfiniteLine] = []
-        self._found: DailyHistory | None = None
+        self._history: DailyHistory | None = None
         self.dress(theme)
         self.words = sentence("daily_words", "What the control charts say")
         column(
@@ -57,32 +57,32 @@ class ChartPlot(QWidget):
         self._line.setPen(line_pen(colour))
         self._line.setSymbolPen(colour)
         self._line.setSymbolBrush(colour)
-        if self._found is not None:
-            self.show_history(self._found)
+        if self._history is not None:
+            self.show_history(self._history)
 
-    def show_history(self, found: DailyHistory) -> None:
+    def show_history(self, history: DailyHistory) -> None:
         """Show the checks, the limits, and the sentences."""
-        self._found = found
-        one = found.charts["sensitivity_ratio"]
-        self._line.setData(np.arange(1.0, len(one.values) + 1.0), one.values)
+        self._history = history
+        chart = history.charts["sensitivity_ratio"]
+        self._line.setData(np.arange(1.0, len(chart.values) + 1.0), chart.values)
         for guide in self._guides:
             self.plot.removeItem(guide)
         self._guides = []
-        levels = [one.promised]
-        self._level(one.promised, "what the calibration says")
-        if one.expanded is not None:
+        levels = [chart.promised]
+        self._level(chart.promised, "what the calibration says")
+        if chart.expanded is not None:
             for sign in (-1.0, 1.0):
-                levels.append(one.promised + sign * one.expanded)
+                levels.append(chart.promised + sign * chart.expanded)
                 self._level(levels[-1], "its U", dotted=True)
-        for limit in one.limits or ():
+        for limit in chart.limits or ():
             levels.append(limit)
             self._level(limit, "limit of the history", dotted=True)
-        low = min(float(one.values.min()), *levels)
-        high = max(float(one.values.max()), *levels)
+        low = min(float(chart.values.min()), *levels)
+        high = max(float(chart.values.max()), *levels)
         margin = max(0.15 * (high - low), 1e-4)
-        self.plot.setXRange(0.5, max(8.5, len(one.values) + 0.5), padding=0.0)
+        self.plot.setXRange(0.5, max(8.5, len(chart.values) + 0.5), padding=0.0)
         self.plot.setYRange(low - margin, high + margin, padding=0.0)
-        self.words.setText("\n".join(map(translate, verdict_lines(found))))
+        self.words.setText("\n".join(map(translate, verdict_lines(history))))
 
     def _level(self, value: float, words: Text, *, dotted: bool = False) -> None:
         pen = line_pen(self._theme.text, dotted=dotted)
@@ -103,10 +103,10 @@ USE: Text = "Write its name into the &rig file…"
 class CertificatePage(GuidePage):
     """Write the certificate beside the record, as PDF or HTML; put the record to use."""
 
-    def __init__(self, live: LiveCalibration, prefix: str, place: RecordPlace) -> None:
-        """Make the widgets; prefix: of their names; place: where a rig file names the record."""
+    def __init__(self, live: LiveCalibration, prefix: str, usage: RecordPlace) -> None:
+        """Make the widgets; prefix: of their names; usage: where a rig file names the record."""
         super().__init__("Certificate")
-        self._live, self._place = live, place
+        self._live, self._usage = live, usage
         alone: Text = "The certificate is made from the record alone: the same bytes each time."
         about = prose(f"{prefix}certificate_about", "What a certificate is", alone)
         about.setProperty("role", "secondary")
@@ -126,7 +126,7 @@ class CertificatePage(GuidePage):
         upper = (about, self.saved, flowing(self.pdf, self.html), self.words)
         self.hold(*upper, self.used, flowing(self.use, self.no), None)
         self._requested = False
-        live.said.connect(self.words.setText)
+        live.reported.connect(self.words.setText)
         self.setFinalPage(True)
 
     def initializePage(self) -> None:
@@ -158,21 +158,21 @@ class CertificatePage(GuidePage):
         )
 
     def _leave(self) -> None:
-        """Ask nothing; say what would put the record to use."""
+        """Withdraw the question; show how the record is put to use."""
         file, outcome = self._live.rig.file, self._live.outcome
-        whole = outcome is not None and self._place.alone(outcome.kind)
+        alone = outcome is not None and self._usage.alone(outcome.kind)
         self._requested = False
         self.no.hide()
-        self.use.setVisible(file is not None and whole)
+        self.use.setVisible(file is not None and alone)
         self.use.setText(tr(USE))
         name = tr("the rig file") if file is None else str(file)
-        value = "..." if whole else f'[{tr("this record")}, "{tr("the other probe")}"]'
+        value = "..." if alone else f'[{tr("this record")}, "{tr("the other probe")}"]'
         self.used.setText(
             tr(
                 "The record counts when {} names it: section [{}], {} = {}",
                 name,
-                self._place.section,
-                self._place.key,
+                self._usage.section,
+                self._usage.key,
                 value,
             )
         )
@@ -184,9 +184,9 @@ class CertificatePage(GuidePage):
             return
         if not self._requested:
             self._requested = True
-            found = " ".join(map(translate, outcome.as_found[1])) if outcome.changed else ""
+            findings = " ".join(map(translate, outcome.as_found[1])) if outcome.changed else ""
             self.used.setText(
-                f"{found}\n" * bool(found)
+                f"{findings}\n" * bool(findings)
                 + tr(
                     "Write the name of this record into {}? Comments and all else stay, and a copy"
                     " of the file as it is now is kept beside it.",
@@ -197,7 +197,7 @@ class CertificatePage(GuidePage):
             self.no.show()
             return
         try:
-            copy = name_record(file, outcome.saved, self._place)
+            copy = name_record(file, outcome.saved, self._usage)
         except UnusableInput as error:
             self._leave()
             self.used.setText(translate(sentence_of_error(error)))
@@ -213,7 +213,7 @@ class CertificatePage(GuidePage):
 
 
 def _load_writers() -> None:
-    """Load what draws a certificate while the operator reads the page."""
+    """Import what draws a certificate while the operator reads the page."""
     import matplotlib.figure  # noqa: F401
 
     import rigapp.calibrating.certificate
@@ -222,7 +222,7 @@ def _load_writers() -> None:
 
 
 class ResultPage(GuidePage):
-    """Show numbers, uncertainty, problems; save the record, or say why it is refused."""
+    """Show numbers, uncertainty, problems; save the record, or show why it is refused."""
 
     def __init__(
         self,
@@ -232,7 +232,7 @@ class ResultPage(GuidePage):
         prefix: str,
         plot: ResidualPlot | None = None,
     ) -> None:
-        """Make the widgets; prefix: of their names; plot: of the residuals, if it is shown."""
+        """Make the widgets; prefix: of their names; plot: of the residuals, if there is one."""
         super().__init__("Result")
         self._live, self.plot, self.theme = live, plot, theme
         self._store = folder / STORE
@@ -248,11 +248,11 @@ class ResultPage(GuidePage):
         self.target_label.setBuddy(self.target)
         self.problem = sentence(f"{prefix}result_problem", "What is wrong on this page")
         upper = (self.verdict, self.problems, self.matrix, self.words)
-        plots = ((one, 4) for one in (plot, self._charts) if one is not None)
+        plots = ((part, 4) for part in (plot, self._charts) if part is not None)
         last = row(self.target_label, (self.target, 1))
         self.hold(*upper, *plots, None, self.problem, last)
         live.evaluated.connect(self._show)
-        live.said.connect(self._said)
+        live.reported.connect(self._show_report)
 
     def initializePage(self) -> None:
         """Fit and check all readings."""
@@ -272,7 +272,7 @@ class ResultPage(GuidePage):
         self.completeChanged.emit()
 
     def isComplete(self) -> bool:
-        """Tell whether there is a result to go on with: a refused calibration is not one."""
+        """Tell whether there is an accepted result or a daily check."""
         outcome = self._live.outcome
         return outcome is not None and (outcome.accepted or outcome.check is not None)
 
@@ -296,7 +296,7 @@ class ResultPage(GuidePage):
             return False
         return True
 
-    def _said(self, text: str) -> None:
+    def _show_report(self, text: str) -> None:
         if not (self.isVisible() and text):
             return
         if self._live.outcome is not None:
@@ -320,20 +320,21 @@ class ResultPage(GuidePage):
         self.setFinalPage(not outcome.makes_record)
         self.completeChanged.emit()
 
-    def _show_history(self, found: DailyHistory) -> None:
+    def _show_history(self, history: DailyHistory) -> None:
         if self.chart is None:
             self.chart = ChartPlot(self.theme)
             self._charts.addWidget(self.chart)
-        self.chart.show_history(found)
+        self.chart.show_history(history)
         self.chart.show()
-        if self._live.outcome is not None and self._live.outcome.accepted and not found.in_control:
+        outcome = self._live.outcome
+        if outcome is not None and outcome.accepted and not history.in_control:
             self.verdict.setText(tr("✗ The check is passed, but the cell changes"))
         self.words.setText(tr("The check is kept in {}.", self._store))
 
     def _show_calibration(self, outcome: Outcome) -> None:
         notes = [
-            ("• " if one["blocks"] else tr("Note: ")) + translate(str(one["sentence"]))
-            for one in outcome.result["problems"]
+            ("• " if problem["blocks"] else tr("Note: ")) + translate(str(problem["sentence"]))
+            for problem in outcome.result["problems"]
         ]
         if not outcome.accepted:
             notes.append(translate(self._live.session.refused))
@@ -349,19 +350,19 @@ class ResultPage(GuidePage):
         if outcome.table is not None:
             self._fill(outcome.table)
         lines = outcome.lines[outcome.table.in_lines if outcome.table is not None else 0 :]
-        found = () if outcome.changed else outcome.as_found[1]
-        self.words.setText("\n".join(map(translate, (*lines, *found))).replace(" um", " µm"))
+        findings = () if outcome.changed else outcome.as_found[1]
+        self.words.setText("\n".join(map(translate, (*lines, *findings))).replace(" um", " µm"))
 
     def _fill(self, table: NumberTable) -> None:
         self.matrix.setRowCount(len(table.rows))
         self.matrix.setColumnCount(len(table.columns) - 1)
-        headings = [translate(one).replace(" (", "\n(", 1) for one in table.columns[1:]]
+        headings = [translate(heading).replace(" (", "\n(", 1) for heading in table.columns[1:]]
         self.matrix.setHorizontalHeaderLabels(headings)
         self.matrix.setVerticalHeaderLabels([translate(name) for name, *_ in table.rows])
         self.matrix.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         for axis, (_, *texts) in enumerate(table.rows):
-            for place, text in enumerate(texts):
-                self.matrix.setItem(axis, place, QTableWidgetItem(text))
+            for index, text in enumerate(texts):
+                self.matrix.setItem(axis, index, QTableWidgetItem(text))
         rows = (
             self.matrix.verticalHeader().length()
             + self.matrix.horizontalHeader().sizeHint().height()

@@ -19,7 +19,7 @@ from rigapp.presentation.translation import Text, tr
 from rigapp_calibration.load_cell.weights import told_pieces
 
 LEAST = QSize(30 * STEP, 24 * STEP)
-"""Less than this and the words on the weights run into each other."""
+"""Below it the words on the weights overlap."""
 
 LINE, THIN = 2.0, 1.0
 HEAD = 1.4 * STEP
@@ -57,7 +57,7 @@ def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piec
 
 
 class Brush:
-    """Draw the parts of which scenes are made, in the colours of a theme."""
+    """Draw the parts of scenes in the colours of a theme."""
 
     def __init__(self, painter: QPainter, theme: Theme, font: QFont) -> None:
         self.painter, self.theme, self._font = painter, theme, font
@@ -79,8 +79,8 @@ class Brush:
         self.painter.setPen(QColor(colour))
         metrics = QFontMetricsF(font)
         width, height = metrics.horizontalAdvance(text) + STEP, metrics.height()
-        place = QRectF(at.x() - width / 2, at.y() - height / 2, width, height)
-        self.painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
+        box = QRectF(at.x() - width / 2, at.y() - height / 2, width, height)
+        self.painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def boxed(self, box: QRectF, text: str) -> None:
         """Draw a box with words in it, as wide as they need."""
@@ -107,7 +107,7 @@ class Brush:
         """Draw an arc with a head; start, sweep: rad, anticlockwise from the right."""
         self.pen(colour)
         box = QRectF(middle.x() - radius, middle.y() - radius, 2 * radius, 2 * radius)
-        degrees = [round(16 * math.degrees(one)) for one in (start, sweep)]
+        degrees = [round(16 * math.degrees(angle)) for angle in (start, sweep)]
         self.painter.drawArc(box, *degrees)
         if sweep:
             end = start + sweep
@@ -158,9 +158,9 @@ def paint_crank(brush: Brush, middle: QPointF, arm: float, angle: float, colour:
 class WeightScene:
     """The crank at an angle and what hangs on its pin.
 
-    angle: rad, of the crank, anticlockwise from level. now: where it stands, None when that is not
-    known. stack: what hangs. weight_N: of all that shall hang, 0 for none. turning: the crank is to
-    be turned there.
+    angle: rad, of the crank, anticlockwise from level. now: its present angle, None when not known.
+    stack: the weights. weight_N: of all that shall hang, 0 for none. turning: the crank is to be
+    turned there.
     """
 
     angle: float
@@ -200,8 +200,8 @@ class WeightScene:
         left = min(max(pin.x() - width / 2, room.left()), room.right() - width)
         brush.pen(theme.text)
         painter.drawLine(pin, QPointF(pin.x(), top))
-        for place, piece in enumerate(self.stack):
-            box = QRectF(left, top + place * height, width, height - 2.0)
+        for index, piece in enumerate(self.stack):
+            box = QRectF(left, top + index * height, width, height - 2.0)
             new = piece.comes or piece.goes
             brush.pen(
                 theme.highlight if new else theme.text,
@@ -225,7 +225,7 @@ class LevelScene:
     turned: bool = False
 
     def paint(self, brush: Brush, room: QRectF) -> None:
-        """Draw crank, level and its bubble; the crank as it stands, as far as that is known."""
+        """Draw crank, level and its bubble; the crank at its present angle, if known."""
         theme, painter = brush.theme, brush.painter
         arm = 1.6 * ARM * min(room.height(), room.width())
         middle = room.center() + QPointF(-0.5 * arm, 0.3 * arm)
@@ -259,8 +259,8 @@ class LevelScene:
 class ProbeScene:
     """A probe, its target on the micrometer, and the position to turn to; um.
 
-    felt_um: where the target stands by the calibration in use, NaN when that is not known. back: it
-    is turned back past the position first.
+    felt_um: the target's position by the calibration in use, NaN when not known. back: it is turned
+    back past the position first.
     """
 
     probe: int
@@ -314,9 +314,9 @@ class ProbeScene:
         if math.isfinite(self.felt_um):
             brush.pen(theme.text, fill=theme.base)
             brush.disc(QPointF(middle + 2.0 * unit * self._share(self.felt_um), level), 5.0)
-        there = middle + 2.0 * unit * self._share(self.position_um)
+        x = middle + 2.0 * unit * self._share(self.position_um)
         brush.pen(theme.highlight, fill=theme.highlight)
-        brush.disc(QPointF(there, level), 3.0)
+        brush.disc(QPointF(x, level), 3.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -378,7 +378,7 @@ class Picture(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and the scene; nothing where there is none."""
+        """Paint the background and the scene, if there is one."""
         if self.scene is None:
             return
         painter = QPainter(self)

@@ -1,4 +1,4 @@
-"""Simulated operator: on a simulated rig a calibration can be practised, mistakes included."""
+"""Simulated operator: training of a calibration on a simulated rig, mistakes included."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from rigapp.presentation.translation import Text, tr
 
 
 class HandsPanel(QFrame):
-    """Do what the step asks, all by itself if wanted, with a mistake if wanted."""
+    """Do a step or all further steps, with a mistake if wanted."""
 
     def __init__(
         self, live: LiveCalibration, name: str = "hands", do: Text = "&Do this step"
     ) -> None:
-        """Take the calibration; name: of the widgets; do: what the button says."""
+        """Set the calibration; name: of the widgets; do: text of the button."""
         super().__init__()
         self._live = live
         named(self, name, "Simulated operator").setProperty("role", "card")
@@ -32,13 +32,13 @@ class HandsPanel(QFrame):
         self.mistake = choice(
             f"{name}_mistake",
             "Mistake to simulate",
-            ((str(one), one) for one in mistakes),
+            ((str(kind), kind) for kind in mistakes),
             lambda _: live.plant(mistakes(self.mistake.currentData())),
         )
         mistake = QWidget()
         row(None, "&Mistake", self.mistake, on=mistake).setContentsMargins(0, 0, 0, 0)
-        made = flowing(title, self.do, self.ahead, (mistake, 1))
-        row(made, on=self).setContentsMargins(GAP, STEP, GAP, STEP)
+        tools = flowing(title, self.do, self.ahead, (mistake, 1))
+        row(tools, on=self).setContentsMargins(GAP, STEP, GAP, STEP)
         live.looked.connect(self._show)
 
     def _ahead(self, on: bool) -> None:

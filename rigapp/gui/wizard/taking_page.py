@@ -1,4 +1,4 @@
-"""The page on which readings are taken: what to do, whether it is steady, record, reject."""
+"""The page on which readings are taken: instruction, stability, record, reject."""
 
 from __future__ import annotations
 
@@ -50,9 +50,9 @@ class RollingCalibration(LiveCalibration):
     rolling = False
 
     def roll(self) -> None:
-        """Begin to roll, or go on with it."""
+        """Begin to roll, or continue."""
         self.rolling = self.session is not None
-        self.said.emit("")
+        self.reported.emit("")
         self.moved.emit()
 
     def stop(self) -> None:
@@ -64,7 +64,7 @@ class RollingCalibration(LiveCalibration):
         self._requested = False
         self.view = reply.result if reply.ok else None
         if not reply.ok:
-            self.said.emit(translate(reply.sentence))
+            self.reported.emit(translate(reply.sentence))
         elif self.rolling and self.session is not None:
             self._go_on(self.session, reply.result)
         self.looked.emit()
@@ -91,12 +91,12 @@ class RollingCalibration(LiveCalibration):
 
     def _end(self, sentence: str) -> None:
         self.rolling = False
-        self.said.emit(translate(sentence))
+        self.reported.emit(translate(sentence))
         self.moved.emit()
 
 
 class RollingPage(GuidePage):
-    """Turn the spindle when the operator says so; tell how far it is; stop."""
+    """Turn the spindle at the operator's command; show the progress; stop."""
 
     def __init__(self, live: RollingCalibration, theme: Theme) -> None:
         super().__init__("Slow rolls")
@@ -124,15 +124,15 @@ class RollingPage(GuidePage):
         self.hold(self.instruction, self.why, (look, 1))
         live.looked.connect(self._look)
         live.moved.connect(self._look)
-        live.said.connect(self.problem.setText)
+        live.reported.connect(self.problem.setText)
 
     def initializePage(self) -> None:
         """Offer to roll."""
         self._look()
 
     def take_focus(self) -> None:
-        """Wait with the focus for what can be pressed: the spindle turns, or it stops."""
-        offered = (one for one in (self.roll, self.stop) if one.isEnabled())
+        """Put the focus on the enabled button: turn or stop the spindle."""
+        offered = (control for control in (self.roll, self.stop) if control.isEnabled())
         next(offered, self).setFocus()
 
     def isComplete(self) -> bool:
@@ -141,7 +141,7 @@ class RollingPage(GuidePage):
         return session is not None and bool(session.runs.done)
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
-        """Return what stops and turns the spindle, until all rolls are recorded."""
+        """Return the buttons that stop and turn the spindle, until all rolls are recorded."""
         return ((self.stop, not self.isComplete()), (self.roll, not self.isComplete()))
 
     def progress_words(self) -> str:
@@ -154,12 +154,12 @@ class RollingPage(GuidePage):
         if session is None:
             return
         runs, rolling = session.runs, self._live.rolling
-        told: Text = "Is the follower on the pin, the bushing unworn, every hand away? Then begin."
+        text: Text = "Is the follower on the pin, the bushing unworn, every hand away? Then begin."
         if runs.done:
-            told = tr("All rolls are recorded.")
+            text = tr("All rolls are recorded.")
         elif rolling:
-            told = tr("The spindle turns. Keep your hands away.")
-        self.instruction.setText(tr(told))
+            text = tr("The spindle turns. Keep your hands away.")
+        self.instruction.setText(tr(text))
         self.words.setText(translate(runs.words))
         self.measured.show_value(self.progress_words())
         speeds = ", ".join(f"{rpm:g}" for rpm in session.plan.speeds)
@@ -184,10 +184,10 @@ LOADED: Text = "The &load hangs still"
 class TakingWords:
     """Names and words of the page.
 
-    stem: of the widgets' names; columns: of the table; buttons: kind of a step -> what the button
-    says, in place of ``RECORD``. measured: caption of the number, which is shown times ``factor``
-    in ``unit``. scene (session, window, readiness): what the step looks like. do: what the
-    simulated hands do. read_off: a position that the operator reads off is entered.
+    stem: of the widgets' names; columns: of the table; buttons: kind of a step -> text of the
+    button, in place of ``RECORD``. measured: caption of the number, which is shown times ``factor``
+    in ``unit``. scene (session, window, readiness): picture of the step. do: action of the
+    simulated operator. read_off: a position that the operator reads off is entered.
     """
 
     stem: str
@@ -205,7 +205,7 @@ class TakingWords:
 
 
 class TakingPage(GuidePage):
-    """Take all readings of the plan; the session says what the widgets show."""
+    """Take all readings of the plan; the session determines what the widgets show."""
 
     def __init__(
         self, live: LiveCalibration, theme: Theme, words: TakingWords, plot: PlotNames
@@ -242,7 +242,7 @@ class TakingPage(GuidePage):
         self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
         self._entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
         self.hands = HandsPanel(live, f"{prefix}hands", words.do)
-        beside = [one for one in (self.measured, self.live, self._entered) if one is not None]
+        beside = [part for part in (self.measured, self.live, self._entered) if part is not None]
         now = filled(QVBoxLayout(), (*beside, None, self.problem))
         look = self.beside(TWO, (self.picture, 5), (now, 4))
         how_far = row((self.left, 1), (self.progress, 2))
@@ -250,14 +250,14 @@ class TakingPage(GuidePage):
         why = flowing(words.reason, (self.reason, 1), self.back, self.note, self.reject_button)
         taken = taking_what_is_left(self.table, 6 * self.table.fontMetrics().height())
         right = filled(QVBoxLayout(), ((self.plot, 3), (taken, 4), why))
-        for one in (left, right, now):
-            one.setSpacing(GAP)
+        for layout in (left, right, now):
+            layout.setSpacing(GAP)
         both = self.beside(FOUR, (left, 1), (right, 1))
         self.hold((both, 1), self.hands)
         self.table.itemSelectionChanged.connect(self._enable)
         live.looked.connect(self._look)
         live.moved.connect(self._move)
-        live.said.connect(self.problem.setText)
+        live.reported.connect(self.problem.setText)
 
     def initializePage(self) -> None:
         """Show the step under way, and offer to record."""
@@ -266,7 +266,7 @@ class TakingPage(GuidePage):
         self._look()
 
     def take_focus(self) -> None:
-        """Wait with the focus for what can be recorded."""
+        """Put the focus on Record as soon as that is enabled."""
         (self.record if self.record.isEnabled() else self).setFocus()
 
     def isComplete(self) -> bool:
@@ -275,20 +275,20 @@ class TakingPage(GuidePage):
         return session is not None and bool(session.procedure.done)
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
-        """Return what records, until all is taken, and what leaves out a step that may be."""
+        """Return the buttons that record, until all is taken, and leave out an optional step."""
         session = self.live_calibration.session
         under_way = session is not None and not session.procedure.done
         optional = under_way and session.procedure.step.optional
         return ((self.leave_out, optional), (self.record, under_way))
 
     def progress_words(self) -> str:
-        """Return how many readings stand, of how many."""
+        """Return how many readings are valid, of how many."""
         procedure = self.live_calibration.session.procedure
         wanted = sum(step.kind is StepKind.READING for step in procedure.steps)
         return tr("{} of {}", len(procedure.standing(of=lambda step: True)), wanted)
 
     def _show_step(self) -> None:
-        """Show what to do and how far it is, offer the position to which it leads."""
+        """Show instruction and progress, and enter the position of the step."""
         procedure = self.live_calibration.session.procedure
         self.instruction.setText(translate(procedure.instruction).replace(" um", " µm"))
         self.progress.setRange(0, len(procedure.steps))
@@ -321,7 +321,7 @@ class TakingPage(GuidePage):
         self.completeChanged.emit()
 
     def _look(self) -> None:
-        """Show whether the signal is steady, offer to record then, keep the focus."""
+        """Show whether the signal is steady, enable Record then, keep the focus."""
         live = self.live_calibration
         if live.session is None or not self.isVisible():
             return
@@ -339,16 +339,16 @@ class TakingPage(GuidePage):
         self._show_scene()
 
     def _show_measured(self, readiness: Readiness | None) -> None:
-        """Show what is felt, and what it should be where something is set."""
+        """Show what is measured, and what it should be where something is set."""
         session, words = self.live_calibration.session, self._words
         if readiness is None:
             self.measured.show_value("")
             return
-        told = f"{words.factor * readiness.felt:.1f} {words.unit}".replace("-", "\u2212")
+        felt = f"{words.factor * readiness.felt:.1f} {words.unit}".replace("-", "\u2212")
         wanted = ""
         if not session.procedure.done and session.procedure.step.kind is not StepKind.SET_UP:
             wanted = tr("It should be {:.1f} {}", words.factor * session.expected(), words.unit)
-        self.measured.show_value(told, wanted.replace("-", "\u2212"))
+        self.measured.show_value(felt, wanted.replace("-", "\u2212"))
 
     def _show_scene(self) -> None:
         live, scene = self.live_calibration, None
@@ -362,20 +362,20 @@ class TakingPage(GuidePage):
         procedure = session.procedure
         taken, last = procedure.taken, len(self._words.columns) - 1
         self.table.setRowCount(len(taken))
-        for line, one in enumerate(taken):
-            state = tr("rejected: {}", one.rejected) if one.rejected else tr("stands")
-            known = self.table.item(line, last)
-            if known is not None and known.text() == state and line != len(taken) - 1:
+        for index, reading in enumerate(taken):
+            state = tr("rejected: {}", reading.rejected) if reading.rejected else tr("stands")
+            known = self.table.item(index, last)
+            if known is not None and known.text() == state and index != len(taken) - 1:
                 continue
-            step = procedure.steps[one.step]
-            signals = (f"{signal:+.5f}" for signal in one.signal)
-            texts = (step.series, str(step.number), *session.cells(one), *signals, state)
-            for place, text in enumerate(texts):
+            step = procedure.steps[reading.step]
+            signals = (f"{signal:+.5f}" for signal in reading.signal)
+            texts = (step.series, str(step.number), *session.cells(reading), *signals, state)
+            for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 font = item.font()
-                font.setStrikeOut(bool(one.rejected) and place < last)
+                font.setStrikeOut(bool(reading.rejected) and column < last)
                 item.setFont(font)
-                self.table.setItem(line, place, item)
+                self.table.setItem(index, column, item)
         self.table.scrollToBottom()
         self._enable()
 
@@ -393,13 +393,13 @@ class TakingPage(GuidePage):
             self.table.clearSelection()
 
     def _back(self) -> None:
-        self._said(lambda session, words: session.back(words))
+        self._use_words(lambda session, words: session.back(words))
 
     def _note(self) -> None:
-        self._said(lambda session, words: session.note(words))
+        self._use_words(lambda session, words: session.note(words))
 
-    def _said(self, act: Callable[[Any, str], object]) -> None:
-        """Do something for which words were typed, which are used up then."""
+    def _use_words(self, act: Callable[[Any, str], object]) -> None:
+        """Do something with the typed words, and clear them."""
         if self.live_calibration.attempt(lambda session: act(session, self.reason.text())):
             self.reason.clear()
 
@@ -413,7 +413,7 @@ class TakingPage(GuidePage):
 
 def _readings_table(name: str, columns: tuple[str, ...]) -> QTableWidget:
     table = named(QTableWidget(0, len(columns)), name, "Readings")
-    table.setHorizontalHeaderLabels([tr(one) for one in columns])
+    table.setHorizontalHeaderLabels([tr(heading) for heading in columns])
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)

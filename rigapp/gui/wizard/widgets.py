@@ -30,11 +30,11 @@ from rigapp.presentation.translation import Text, tr, translate
 from rigapp_calibration.taking.signals import Readiness, SignalState
 
 LEAST_PLOT = 15 * STEP
-"""Height of a plot below which its residuals are not told apart."""
+"""Height of a plot below which its residuals cannot be distinguished."""
 
 
 def prefix_of(stem: str) -> str:
-    """Return how the names of a subject's widgets begin: those of the load cell were the first."""
+    """Return the prefix of a subject's widget names, which is empty for the load cell."""
     return "" if stem == "calibration" else f"{stem}_"
 
 
@@ -54,7 +54,7 @@ def fields_form() -> QFormLayout:
 
 
 def labelled(text: Text, widget: QWidget) -> QFormLayout:
-    """Return a form of one row with an access key."""
+    """Return a form with one field."""
     form = fields_form()
     field(form, text, widget)
     return form
@@ -63,7 +63,7 @@ def labelled(text: Text, widget: QWidget) -> QFormLayout:
 def number(
     name: str, spoken: Text, low: float, high: float, decimals: int, step: float, unit: str
 ) -> QDoubleSpinBox:
-    """Return a field for a number; its text counts while it is typed."""
+    """Return a field for a number, whose value follows every key."""
     aloud = f"{tr(spoken)}, {tr(UNIT_NAMES.get(unit, unit))}"
     box = named(steady_field(QDoubleSpinBox()), name, aloud)
     box.setRange(low, high)
@@ -81,7 +81,7 @@ UNIT_NAMES: dict[str, Text] = {
     "µm": "micrometres",
     "°": "degrees",
 }
-"""Units as they are read aloud, where the sign is not."""
+"""Units whose sign is not read aloud."""
 
 
 def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False) -> QLabel:
@@ -93,18 +93,18 @@ def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False
 
 
 def taking_what_is_left(shown: QWidget, least: int = LEAST_PLOT) -> QHBoxLayout:
-    """Return a plot or table that takes the room that is left, not what it would like best.
+    """Return a plot or table that takes the remaining room, whatever its size hint.
 
     least: its height, in pixels, below which the page scrolls.
     """
     shown.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-    made = row(shown)
-    made.addStrut(least)
-    return made
+    layout = row(shown)
+    layout.addStrut(least)
+    return layout
 
 
 def caption(text: Text) -> QLabel:
-    """Return the title of a plot, quantity and unit: lies above it, where it is never cut."""
+    """Return the title of a plot, quantity and unit, for above it, where it is never cut."""
     label = QLabel(tr(text))
     label.setProperty("role", "caption")
     return label
@@ -170,7 +170,7 @@ WORDS: dict[SignalState, Text] = {
 
 
 class Stability(QWidget):
-    """Tell in a shape and in words whether the signal is steady."""
+    """A shape and words for whether the signal is steady."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -182,7 +182,7 @@ class Stability(QWidget):
         row(self.sign, (column(self.word, self.why), 1), on=self).setContentsMargins(0, 0, 0, 0)
 
     def show_readiness(self, readiness: Readiness | None) -> None:
-        """Show a judgement, or that there is none."""
+        """Show the readiness, or that there is none."""
         state, words = SignalState.WAITING, tr("no signals from the engine")
         if readiness is not None:
             state, words = readiness.state, readiness.words
@@ -194,7 +194,7 @@ class Stability(QWidget):
 
 
 class MeasuredCard(QFrame):
-    """What is measured now, to be read from where the hands are: number, wanted one, steadiness."""
+    """What is measured now, legible from the rig: number, its target, steadiness."""
 
     def __init__(self, name: str, title: Text, theme: Theme) -> None:
         super().__init__()
@@ -212,7 +212,7 @@ class MeasuredCard(QFrame):
         self.show_value("")
 
     def make_room(self, *, low: bool) -> None:
-        """Lie rather than stand where the page is low."""
+        """Put the stability beside the number, rather than below it, where the page is low."""
         way = QBoxLayout.Direction.LeftToRight if low else QBoxLayout.Direction.TopToBottom
         self._halves.setDirection(way)
         self._halves.setContentsMargins(MARGIN, STEP, MARGIN, STEP)
@@ -240,7 +240,7 @@ class PlotNames:
 
 
 class ResidualPlot(QWidget):
-    """Show what the readings so far differ from their own fit: circles, then triangles."""
+    """Show the residuals of the readings so far to their own fit: circles, then triangles."""
 
     def __init__(self, theme: Theme, names: PlotNames) -> None:
         """Make the plot with words below."""
@@ -266,10 +266,10 @@ class ResidualPlot(QWidget):
             item.setPen(line_pen(theme.curves[role]))
             item.setBrush(theme.curves[role])
 
-    def show_residuals(self, found: ResidualsSoFar) -> None:
-        """Show what is left of the readings so far."""
-        for item, (x, residual) in zip(self._points.values(), found.curves, strict=True):
+    def show_residuals(self, residuals: ResidualsSoFar) -> None:
+        """Show the residuals of the readings so far."""
+        for item, (x, residual) in zip(self._points.values(), residuals.curves, strict=True):
             item.setData(x, residual)
-        self.plot.setXRange(*found.span, padding=0.0)
-        self.plot.setYRange(-found.reach, found.reach, padding=0.0)
-        self.words.setText(translate(found.words))
+        self.plot.setXRange(*residuals.span, padding=0.0)
+        self.plot.setYRange(-residuals.reach, residuals.reach, padding=0.0)
+        self.words.setText(translate(residuals.words))

@@ -45,9 +45,9 @@ class StepsColumn(QFrame):
         kept: Text = "Every reading is saved as it is taken. You may close and go on tomorrow."
         note = prose("wizard_kept", "What is kept", kept)
         note.setProperty("role", "caption")
-        made = column(what, *self.rows, None, note, on=self)
-        made.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
-        made.setSpacing(2 * STEP)
+        layout = column(what, *self.rows, None, note, on=self)
+        layout.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        layout.setSpacing(2 * STEP)
         self._shown: tuple[ShownStep, ...] = ()
 
     def dress(self, theme: Theme) -> None:
@@ -67,7 +67,7 @@ FORWARD = (
     QWizard.WizardButton.CommitButton,
     QWizard.WizardButton.FinishButton,
 )
-"""What leads on: the primary button of a page that asks for nothing more."""
+"""Buttons to the next page: the primary ones of a complete page."""
 
 SPACE = QWizard.WizardButton.Stretch
 
@@ -79,7 +79,7 @@ ORDER = (
     QWizard.WizardButton.CustomButton2,
     *FORWARD,
 )
-"""Of the buttons in the foot, which is seen on a page of any height; what leads on is the last."""
+"""Of the buttons in the foot, which is visible at any height; the forward buttons are the last."""
 
 BUTTONS: dict[QWizard.WizardButton, tuple[Text, Text]] = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -106,7 +106,7 @@ class CalibrationWizard(QWizard):
         fields: Mapping[str, str] | None = None,
         key: str = "",
     ) -> None:
-        """Make the pages of a subject; fields: what those of the first page say at first.
+        """Make the pages of a subject; fields: first values of those of the first page.
 
         key: of the calibration by which this wizard occupies the rig; its end frees the rig.
         """
@@ -143,7 +143,7 @@ class CalibrationWizard(QWizard):
             self.certificate,
         )
         self.steps = StepsColumn(
-            _sentence(tr("Calibrate {}", tr(face.what))), len(self._pages), theme
+            capitalised(tr("Calibrate {}", tr(face.what))), len(self._pages), theme
         )
         self.setSideWidget(self.steps)
         for page in self._pages:
@@ -155,8 +155,8 @@ class CalibrationWizard(QWizard):
             widget = self.button(button)
             widget.setObjectName(f"wizard_{spoken.partition(';')[0].lower().replace(' ', '_')}")
             widget.setAccessibleName(tr(spoken))
-        for which, (own, _) in zip(ORDER[3:5], self.readings.foot(), strict=True):
-            self.setButton(which, own)
+        for button, (own, _) in zip(ORDER[3:5], self.readings.foot(), strict=True):
+            self.setButton(button, own)
         self.setButtonLayout(ORDER)
         self.currentIdChanged.connect(self._mark)
         self.currentIdChanged.connect(self._make_room)
@@ -168,12 +168,12 @@ class CalibrationWizard(QWizard):
         self.resize(QSize(1040, 820))
 
     def parts(self) -> list[QWidget]:
-        """Return what is put in a theme for itself; a sheet on the wizard would hide its page."""
-        buttons = [self.button(which) for which in ORDER if which is not SPACE]
+        """Return the parts put in a theme one by one; a sheet on the wizard would hide its page."""
+        buttons = [self.button(button) for button in ORDER if button is not SPACE]
         return [self.steps, *self._pages, *buttons]
 
     def dress(self, theme: Theme) -> None:
-        """Take the colours of steps, pictures and plots, also of those that are made later."""
+        """Set the colours of steps, pictures and plots, also of those that are made later."""
         self.result_page.theme = theme
         parts: list[Any] = [self.steps, *self.findChildren(Picture), *self.findChildren(Sign)]
         plots = (*self.findChildren(ResidualPlot), *self.findChildren(ChartPlot))
@@ -181,27 +181,27 @@ class CalibrationWizard(QWizard):
             part.dress(theme)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave the room of the steps to the page where it is narrow."""
+        """Hide the steps where the wizard is narrow."""
         super().resizeEvent(event)
         self._make_room()
 
     def _make_room(self) -> None:
-        """Fit what is seen to the size of the wizard."""
+        """Fit steps and page to the size of the wizard."""
         alone = self.width() < TIGHT_WIDTH - WIDTH
-        # Qt keeps margins about what is hidden, too.
-        beside: Any = self.steps.parentWidget()
-        beside.setVisible(not alone)
-        for frame in (beside, beside.parentWidget()):
+        # Qt keeps margins around hidden widgets, too.
+        side: Any = self.steps.parentWidget()
+        side.setVisible(not alone)
+        for frame in (side, side.parentWidget()):
             frame.layout().setContentsMargins(QMargins())
-        around = 0 if alone else WIDTH
+        side_width = 0 if alone else WIDTH
         for page in self._pages:
-            page.make_room(self.width() - around, self.height(), alone=alone)
+            page.make_room(self.width() - side_width, self.height(), alone=alone)
 
     def _begin_page(self) -> None:
-        """Give the focus to the page, which its buttons wait for, and name those of the readings.
+        """Give the focus to the page, and name the buttons of the readings.
 
-        Qt hides all pages while it changes them, so that the focus leaves the wizard, and sets
-        back the words of buttons.
+        Qt hides all pages while it changes them, so that the focus leaves the wizard, and resets
+        the words of buttons.
         """
         page = self.currentPage()
         if isinstance(page, GuidePage):
@@ -211,45 +211,41 @@ class CalibrationWizard(QWizard):
 
     def _hold_focus(self) -> None:
         """Remember what has the focus, before Qt hides it and shows it again."""
-        one = self.focusWidget()
-        if one is not None and one.hasFocus():
-            self._held = one
+        widget = self.focusWidget()
+        if widget is not None and widget.hasFocus():
+            self._held = widget
 
     def _mark(self) -> None:
-        """Mark what leads on, and in the column where the calibration stands."""
+        """Mark the forward buttons, and the present step in the column."""
         page = self.currentPage()
         if not isinstance(page, GuidePage):
             return
         held, self._held = self._held, None
         if held is not None:
             held.setFocus()
-        for own, wanted in self.readings.foot():
-            left = own.hasFocus()
-            own.setVisible(wanted and page is self.readings)
-            if left and own.isHidden():
+        for button, wanted in self.readings.foot():
+            left = button.hasFocus()
+            button.setVisible(wanted and page is self.readings)
+            if left and button.isHidden():
                 page.setFocus()
-        for one in FORWARD:
-            tell(self.button(one), "rank", "primary" if page.isComplete() else "")
-            self.button(one).updateGeometry()
+        for kind in FORWARD:
+            tell(self.button(kind), "rank", "primary" if page.isComplete() else "")
+            self.button(kind).updateGeometry()
         if self.readings.foot()[-1][1] and page is self.readings:
             self.button(QWizard.WizardButton.NextButton).hide()
         if page.isComplete() and page.hasFocus():
-            next(one for one in map(self.button, FORWARD) if not one.isHidden()).setFocus()
+            next(button for button in map(self.button, FORWARD) if not button.isHidden()).setFocus()
         here = self._pages.index(page)
         self.steps.show_steps(
             [
-                ShownStep(other.step, self._line(other), place < here, place == here)
-                for place, other in enumerate(self._pages)
+                ShownStep(other.step, self._line(other), index < here, index == here)
+                for index, other in enumerate(self._pages)
             ]
         )
 
     def _line(self, page: GuidePage) -> str:
-        """Return how far the readings are, nothing for the other pages."""
+        """Return how far the readings are, empty for other pages."""
         session = self.live.session
         if page is not self.readings or session is None:
             return ""
         return str(page.progress_words())
-
-
-def _sentence(words: str) -> str:
-    return capitalised(words)

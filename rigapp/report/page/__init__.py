@@ -1,1 +1,1 @@
-"""A page: what a document says, in plain blocks, and how it is set as HTML or PDF."""
+"""Documents in plain blocks, and their layout as HTML or PDF."""

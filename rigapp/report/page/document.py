@@ -25,7 +25,7 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table; without a header its first column names what stands beside it."""
+    """A table; without a header its first column names the values beside it."""
 
     title: str
     rows: tuple[Row, ...]
@@ -34,7 +34,7 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A drawing, with the words for who cannot see it.
+    """A drawing, with a description for those who cannot see it.
 
     draw: returns it as "svg", "pdf" or "png", the same bytes each time, in its own width or a given
     one in mm.
@@ -67,12 +67,12 @@ class Section:
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """The first page of a document, which answers what came out, of what, for whom.
+    """The first page of a document: results, their subject and customer.
 
-    letterhead: lines of who made it, the first one strong. logo: PNG or JPEG, empty without.
-    facts: names and what stands below them. results: name, value and a remark. warnings: what must
-    not be overlooked. note: small print below the results. figures: of the whole test, the first
-    one as wide as the page; the second beside texts, each of a word in bold and what follows it.
+    letterhead: lines of the laboratory, the first one strong. logo: PNG or JPEG, empty without.
+    facts: names and values. results: name, value and a remark. warnings: what must not be
+    overlooked. note: small print below the results. figures: of the whole test, the first one as
+    wide as the page; the second beside texts, each of a word in bold and its text.
     """
 
     subtitle: str
@@ -88,10 +88,10 @@ class Cover:
 
 @dataclass(frozen=True, slots=True)
 class Manuscript:
-    """A whole document. footer: at the foot of every page. closing: small print at the end.
+    """A document. footer: at the foot of every page. closing: small print at the end.
 
-    mark: what must be read on every page, as that it is a draft. statement: beside the footer.
-    made_at: the time that the document bears, seconds since 1970; 0: none.
+    mark: on every page, as that it is a draft. statement: beside the footer. made_at: date of the
+    document, seconds since 1970; 0: none.
     """
 
     title: str
@@ -183,7 +183,7 @@ def _data(figure: Figure) -> str:
 
 
 def plain(document: Manuscript) -> dict[str, Any]:
-    """Return title, sections and blocks of a document; cells stay the words that are printed."""
+    """Return title, sections and blocks of a document; cells are the printed texts."""
     sections = [
         {"title": section.title, "blocks": [_plain_block(block) for block in section.blocks]}
         for section in document.sections

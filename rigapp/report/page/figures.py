@@ -62,7 +62,7 @@ _METADATA: Mapping[str, dict[str, None]] = {
 
 @contextmanager
 def in_style() -> Iterator[None]:
-    """Let matplotlib draw in the style of documents, whatever its user has set."""
+    """Use matplotlib with the style of documents, without the user's settings."""
     import matplotlib
 
     with matplotlib.rc_context():
@@ -93,7 +93,7 @@ def saved(canvas: Any, title: str, words: str, caption: str = "") -> Figure:
 
 
 def _rendered(canvas: Any, kind: str, width_mm: float | None = None) -> bytes:
-    """Return a canvas as "svg", "pdf" or "png", the same bytes each time; as wide as it is told."""
+    """Return a canvas as "svg", "pdf" or "png", the same bytes each time; None: its own width."""
     stream = io.BytesIO()
     with in_style():
         if width_mm is not None:
@@ -110,7 +110,7 @@ def _rendered(canvas: Any, kind: str, width_mm: float | None = None) -> bytes:
 
 
 def revolution_axis(axes: Any) -> None:
-    """Let an axis count revolutions, from edge to edge."""
+    """Format an axis for revolutions, from edge to edge."""
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
     axes.xaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))
@@ -122,7 +122,7 @@ def revolution_axis(axes: Any) -> None:
 def name_curves(axes: Any) -> None:
     """Write the name of each labelled curve at its right end, in its colour, none over another.
 
-    To be called when the limits of the axes are what they stay.
+    To be called when the limits of the axes are final.
     """
     handles, names = axes.get_legend_handles_labels()
     low, high = axes.get_ylim()

@@ -1,4 +1,4 @@
-"""Set a document on pages with reportlab; figures are put in as lines and text by pypdf.
+"""Lay out a document on pages with reportlab; pypdf inserts the figures as lines and text.
 
 Nothing comes from the clock or the machine, so that the bytes repeat.
 """
@@ -83,7 +83,7 @@ def as_pdf(document: Manuscript) -> bytes:
 
 @cache
 def _prepare() -> None:
-    """Take fonts that know more than Western European letters; matplotlib brings them."""
+    """Register fonts with more than Western European letters, those of matplotlib."""
     import matplotlib
 
     rl_config.useA85 = 0  # binary streams: its encoding as text is slow and a quarter larger
@@ -95,9 +95,9 @@ def _prepare() -> None:
 
 
 class _Drawing(Flowable):  # type: ignore[misc, unused-ignore]
-    """The place of a figure, as wide as the page; the figure itself is put in at the end.
+    """The place of a figure, as wide as the page; the figure itself is inserted at the end.
 
-    data: a PDF of one page. at: page, and where on it the lower left corner came to lie.
+    data: a PDF of one page. at: page, and the place of the lower left corner on it.
     """
 
     def __init__(self, data: bytes) -> None:
@@ -152,8 +152,8 @@ def _finished(data: bytes, drawings: Sequence[_Drawing], made_at: float) -> byte
         page[NameObject("/Contents")] = writer._add_object(stream.flate_encode())
     facts = {"/Producer": "rigapp"}
     if made_at > 0.0:
-        made = f"D:{datetime.fromtimestamp(made_at, UTC):%Y%m%d%H%M%S}Z"
-        facts |= {"/CreationDate": made, "/ModDate": made}
+        date = f"D:{datetime.fromtimestamp(made_at, UTC):%Y%m%d%H%M%S}Z"
+        facts |= {"/CreationDate": date, "/ModDate": date}
     writer.add_metadata(facts)
     # A reader, and a screen reader, begin with the title in place of the file's name.
     preferences = DictionaryObject({NameObject("/DisplayDocTitle"): BooleanObject(True)})
@@ -263,7 +263,7 @@ RESULT_LINE = [
 
 
 class _Heading(Paragraph):  # type: ignore[misc, unused-ignore]
-    """A heading that also stands in the outline of the PDF."""
+    """A heading that is also in the outline of the PDF."""
 
     def draw(self) -> None:
         """Draw the heading and mark its place."""
@@ -440,9 +440,9 @@ def _with_words_whole(widths: list[float], least: list[float]) -> list[float]:
         if missing <= 0:
             continue
         widest = max(range(len(result)), key=lambda k: result[k] - least[k])
-        given = min(missing, max(0.0, result[widest] - least[widest]))
-        result[i] += given
-        result[widest] -= given
+        widening = min(missing, max(0.0, result[widest] - least[widest]))
+        result[i] += widening
+        result[widest] -= widening
     return result
 
 

@@ -28,7 +28,7 @@ Part = Callable[[Tell], "Iterable[Chapter]"]
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """Hold the files that were written, and whether all comparisons are among them."""
+    """The files that were written, and whether all comparisons are among them."""
 
     files: tuple[Path, ...]
     complete: bool
@@ -70,7 +70,7 @@ def make_paper(
 
 
 def parts(recorded: Path | None = None) -> tuple[Part, ...]:
-    """Return what computes the comparisons, in the paper's order."""
+    """Return the functions that compute the comparisons, in the paper's order."""
     from rigapp.report.paper import kinematics, table2, techniques, wear
     from rigapp.report.paper.recorded import recorded_chapters
 

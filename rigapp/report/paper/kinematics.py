@@ -227,7 +227,7 @@ def slip(parameters: Parameters, speed: float) -> Chapter:
     motion = continuous_contact(parameters.mechanism, parameters.joint, angles(), speed).motion
     steps = motion.slip_increments(parameters.joint.pin_radius) / MM
     total = float(steps.sum())
-    around = 2.0 * np.pi * parameters.joint.pin_radius / MM
+    circumference = 2.0 * np.pi * parameters.joint.pin_radius / MM
 
     def draw(axes: Sequence[Any]) -> None:
         axes[0].plot(degrees, steps, color=COLOURS[1])
@@ -242,7 +242,7 @@ def slip(parameters: Parameters, speed: float) -> Chapter:
         columns={"crank_angle_deg": degrees, "slip_mm": steps, "slip_so_far_mm": np.cumsum(steps)},
         sentences=(
             f"Over a revolution the pin slips {total:.4f} mm, which is its circumference of"
-            f" {around:.4f} mm whatever the gap is.",
+            f" {circumference:.4f} mm whatever the gap is.",
             f"Per degree of the crank it is between {steps.min():.4f} and {steps.max():.4f} mm,"
             " because the follower swings.",
         ),

@@ -18,7 +18,7 @@ from rigapp.report.tables import write_table
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """Hold a comparison. ``name`` names its files; ``columns`` are the CSV table's.
+    """A comparison. ``name`` names its files; ``columns`` are the CSV table's.
 
     ``draw`` draws on matplotlib axes, as many as ``panels``; ``words`` say what the picture shows
     to who cannot see it; ``table`` is a small one for the page, with its header first.

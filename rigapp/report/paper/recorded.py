@@ -23,7 +23,7 @@ MOST_ROWS = 2000
 
 
 def recorded_chapters(path: Path) -> Iterator[Chapter]:
-    """Yield what of Figs 20 and 21 a test file holds; raise UnusableInput when that is nothing."""
+    """Yield those of Figs 20 and 21 that a test file allows; raise UnusableInput when none."""
     with open_test(path) as reader:
         drawn = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
     chapters = [chapter for chapter in drawn if chapter is not None]
@@ -33,7 +33,7 @@ def recorded_chapters(path: Path) -> Iterator[Chapter]:
 
 
 def force_of_a_cycle(reader: TestReader) -> Chapter | None:
-    """Return Fig. 20 as its text says, components and |F| over the crank angle; None without."""
+    """Return Fig. 20 by the paper's text, components and |F| over the crank angle; None without."""
     pictures = [
         cycle for cycle in cycles_of(reader) if cycle.model and set(COMPONENTS) <= set(cycle.model)
     ]
@@ -96,7 +96,7 @@ def _agreement(picture: CyclePicture) -> str:
 
 
 def extrema(reader: TestReader) -> Chapter | None:
-    """Return Fig. 20 as its caption says, extrema of the force over the cycles; None without."""
+    """Return Fig. 20 by its caption, extrema of the force over the cycles; None without."""
     known = reader.column_units()
     count = reader.committed()
     names = [f"force_{statistic}" for statistic in EXTREMA if f"force_{statistic}" in known]

@@ -170,7 +170,7 @@ def _sentences(
 def _course(difference: np.ndarray) -> str:
     """Return in words how the difference goes on with the cycles."""
     size = np.abs(difference)
-    # Early on, where it is lost in the digits of the depth, it tells nothing.
+    # Early on the difference is lost in the digits of the depth.
     shown = size > 1e-3 * size.max()
     if np.all(np.diff(size[shown]) >= 0.0):
         return "grows with the cycles, as the paper says"

@@ -1,4 +1,4 @@
-"""The report of a test: everything that its file says, in one document.
+"""The report of a test: everything in its file, in one document.
 
 Nothing comes from the clock or the machine, so that the same file gives the same bytes. Sections
 about data are in ``datasections``, those about what happened in ``logsections``.
@@ -83,7 +83,7 @@ class FileIdentity:
 
 
 def report_of(path: Path, settings: Path | None = None) -> Manuscript:
-    """Compose the report of a test file. settings: a report.toml, else the one that is found.
+    """Compose the report of a test file. settings: a report.toml, else see ``report_settings``.
 
     A file that is replaced meanwhile by its compressed form is read again. Raises UnusableInput for
     a file that cannot be read as a test.
@@ -170,7 +170,7 @@ def _closing(identity: FileIdentity, about: dict[str, Any]) -> str:
 def _simulated(reader: TestReader, about: dict[str, Any]) -> str:
     """Return what was simulated, as the beginning of a sentence; empty for a real rig.
 
-    The ports in the recorded rig file tell; the file's own flag where they cannot be read.
+    By the ports in the recorded rig file, or the file's own flag where they cannot be read.
     """
     try:
         rig = parse_rig(reader.configuration()["rig"], "the rig of the file", recorded=True)

@@ -57,14 +57,14 @@ NOTE: Final[Words] = (
 FIGURES_WIDTH_IN: Final = 86.0 / 25.4
 
 
-def report_settings(test: Path, given: Path | None = None) -> tuple[ReportFile, bytes]:
-    """Return the settings of reports and the logo; without a file, plain ones.
+def report_settings(test: Path, file: Path | None = None) -> tuple[ReportFile, bytes]:
+    """Return the settings of reports and the logo; without a file, the defaults.
 
-    Looked for beside the test file, then among the user's own settings. Raises UnusableInput for
+    Without ``file`` the one beside the test file is used, then the user's. Raises UnusableInput for
     settings or a logo that cannot be read.
     """
     own = platformdirs.user_config_path("rigapp") / SETTINGS
-    path = given or next((p for p in (test.parent / SETTINGS, own) if p.is_file()), None)
+    path = file or next((p for p in (test.parent / SETTINGS, own) if p.is_file()), None)
     if path is None:
         return ReportFile(schema=1), b""
     settings = read_document(path, ReportFile).record
@@ -221,7 +221,7 @@ def parameters_of(reader: TestReader) -> Parameters | None:
 
 
 CRANK_AT_DEG: Final = 55.0
-"""Where the crank stands in the drawing."""
+"""The angle of the crank in the drawing."""
 
 
 def scheme(parameters: Parameters | None) -> Figure | None:
@@ -335,7 +335,7 @@ def setup_sections(reader: TestReader) -> list[Section]:
 
 
 def _record(name: str, values: Mapping[str, Any]) -> Table:
-    """Return what a sealed calibration record says; its readings stay in the file."""
+    """Return the contents of a sealed calibration record, without its readings."""
     title = tr("Calibration record of {}", tr(TITLES.get(name, name.replace("_", " ")).lower()))
     try:
         record = unseal(str(values.get("record", "")).encode())
@@ -346,11 +346,9 @@ def _record(name: str, values: Mapping[str, Any]) -> Table:
 
 def _record_rows(record: Record) -> list[tuple[str, str]]:
     content = record.content
-    given, result = _mapping(content.get("settings")), _mapping(content.get("result"))
-    item = _mapping(
-        given.get("cell") or given.get("probe") or given.get("pin") or given.get("channel")
-    )
-    paper = _mapping(given.get("paperwork"))
+    used, result = _mapping(content.get("settings")), _mapping(content.get("result"))
+    item = _mapping(used.get("cell") or used.get("probe") or used.get("pin") or used.get("channel"))
+    paper = _mapping(used.get("paperwork"))
     rows = [
         (tr("number"), tr("{}, the digest of the record holds", record.number)),
         (tr("item"), str(item.get("name", ""))),
@@ -420,17 +418,17 @@ def step_section(reader: TestReader) -> list[Section]:
     columns["residual"] = _residuals(reader, revolutions)
     table = []
     for step in range(1, sequence.count + 1):
-        mine = of == step
-        if not mine.any():
+        within = of == step
+        if not within.any():
             continue
-        good = mine & steady
-        stage = sequence.at(int(revolutions[mine][0]))
+        good = within & steady
+        stage = sequence.at(int(revolutions[within][0]))
         peak = float(columns["force_max"][good].max()) if good.any() else float("nan")
         table.append(
             (
                 f"{step} {stage.name}".rstrip(),
                 number(stage.speed_rpm),
-                grouped(int(np.count_nonzero(mine))),
+                grouped(int(np.count_nonzero(within))),
                 grouped(int(np.count_nonzero(good))),
                 number(mean(columns["speed"][good])),
                 number(peak),

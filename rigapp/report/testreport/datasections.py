@@ -37,7 +37,7 @@ PANELS = 4
 """Channels in one picture of free ones: five would not fit on a page with their words."""
 
 BURSTS_SHOWN = 40  # a page of them
-TOLD = 20  # half a page; its heading counts the rest
+LINES = 20  # half a page; its heading counts the rest
 
 RESIDUALS: dict[str, Words] = {
     "residual_rms": "residual of |F|, RMS",
@@ -199,10 +199,10 @@ def agreement(
     if lines:
         table = tuple(
             (utc(event.time), grouped(event.revolution), translate(event.text))
-            for event in lines[:TOLD]
+            for event in lines[:LINES]
         )
         header = (tr("time, UTC"), tr("revolution"), tr("what became of the prediction"))
-        left = tr("First {} of {} lines", TOLD, grouped(len(lines))) if len(lines) > TOLD else ""
+        left = tr("First {} of {} lines", LINES, grouped(len(lines))) if len(lines) > LINES else ""
         blocks.append(Table(left, table, header))
     return [Section(title, tuple(blocks))]
 
@@ -246,7 +246,7 @@ def cycles(
 ) -> Section:
     """Return the pictures of the first, middle and last saved cycle.
 
-    Below them stands what triggers kept.
+    Below them stand the cycles that triggers kept.
     """
     blocks: list[Block] = []
     if refused:
@@ -288,7 +288,7 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
 
 
 def wear(agreed: Agreement | None, worn: Worn | None = None) -> Section:
-    """Return the wear depth, measured and predicted, and its rate; what is not known says so."""
+    """Return the wear depth, measured and predicted, and its rate, or why they are not known."""
     known = agreed.wear if agreed is not None else {}
     table = Table(
         "",

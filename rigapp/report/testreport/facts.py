@@ -1,4 +1,4 @@
-"""Reduce a test file to what a report says of it, one column at a time.
+"""Reduce a test file to the facts of its report, one column at a time.
 
 Only a column or two of the revolutions is in memory at once, so that a test of 10^7 revolutions
 needs no more than a few hundred megabytes.
@@ -45,13 +45,13 @@ class Peak:
 
     @property
     def sign(self) -> str:
-        """Return what stands before the value."""
+        """Return the text before the value."""
         return "≥ " if self.lower_bound else ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ChannelFacts:
-    """What a report says of a channel, as the file describes it.
+    """A channel, as the file describes it.
 
     overall: RMS over the whole test, of a slow channel the mean; start, end: mean of that there.
     steady: smallest and largest value in revolutions at a steady speed, None without any.
@@ -95,7 +95,7 @@ class Gap:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
-    """What the statistics of the revolutions say. flags: revolutions with each flag."""
+    """The statistics of the revolutions. flags: revolutions with each flag."""
 
     revolutions: int
     good: int
@@ -139,7 +139,7 @@ class _Table:
 
 
 def rows_of(reader: TestReader) -> Rows | None:
-    """Return what the statistics say; None when no revolution is recorded."""
+    """Return the statistics of the test; None when no revolution is recorded."""
     table = _Table(reader)
     if table.rows == 0:
         return None
@@ -187,7 +187,7 @@ def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
 
 
 PART = 1 << 18
-"""Values that are looked at together: what is made of a long column on the way stays small."""
+"""Values read at once, so that copies of a long column stay small."""
 
 
 def parts_of(values: NDArray[Any]) -> Iterator[tuple[int, NDArray[Any]]]:
@@ -298,7 +298,7 @@ def _peak(values: NDArray[Any], rows: _RowQuality, sign: float) -> Peak:
 
 
 def gaps_of(reader: TestReader) -> tuple[Gap, ...]:
-    """Return the interruptions of a test, without what else its statistics say."""
+    """Return the interruptions of a test, without its other statistics."""
     table = _Table(reader)
     if table.rows == 0:
         return ()

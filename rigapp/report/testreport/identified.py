@@ -51,7 +51,7 @@ Array = NDArray[np.float64]
 EARLY = 0.1
 """Share of the planned revolutions after which the early band was predicted, to be compared."""
 BAND_POINTS = 60
-"""Revolutions at which a band is told: it is a smooth curve."""
+"""Revolutions at which a band is computed: it is a smooth curve."""
 STATED = tuple(column.name for column in identified_columns())
 """The columns of the course."""
 
@@ -62,7 +62,7 @@ RECENT = 1 << 16
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ForecastBand:
-    """Hold the band predicted after a revolution, to the planned end."""
+    """The band predicted after a revolution, to the planned end."""
 
     after: int
     band: Band
@@ -70,7 +70,7 @@ class ForecastBand:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class IdentifiedTest:
-    """Hold what is known of the wear of one test.
+    """What is known of the wear of one test.
 
     identifier: of the test; record: the probes' calibration; said: the statement in words, or why
     there is none, and then refused; course: columns over the revolutions at which the twin stated
@@ -104,7 +104,7 @@ class IdentifiedTest:
 def identified_test(path: Path, after: int | None = None) -> IdentifiedTest:
     """Return what is known of the wear of a recorded test; raise UnusableInput for no test.
 
-    after: as it was known after a revolution. What cannot be told says why.
+    It gives a reason for each value that is unknown. after: as known after a revolution.
     """
     with open_test(path) as reader:
         return identified(reader, path, after)
@@ -148,8 +148,8 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         known = known_at(len(moments) - 1)
     except NotIdentifiable as error:
         reason = as_written(sentence_of_error(error)).rstrip(".")
-        words = say("The wear coefficient cannot be told, because {}.", reason)
-        return IdentifiedTest(**plain, record=record, said=words)
+        refusal = say("The wear coefficient cannot be told, because {}.", reason)
+        return IdentifiedTest(**plain, record=record, said=refusal)
     depth, departure = kept.sought.depth, kept.consistency.departure
     if departure is not None and after is not None and departure.revolution > after + before:
         departure = None
@@ -158,17 +158,17 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
     bands = [_band(known, life, planned)]
     if early and early[-1] < len(moments) - 1:
         bands = [*_early(known_at, early[-1], life, planned), *bands]
-    said = sentence(known, departure)
+    words = sentence(known, departure)
     if len(bands) > 1:
-        said += beyond_band(bands[0], kept.bins.closed[: len(moments)], before)
+        words += beyond_band(bands[0], kept.bins.closed[: len(moments)], before)
     if until is not None:
-        said += say(" After revolution {} the measured wear depth is not to be trusted.", until)
+        words += say(" After revolution {} the measured wear depth is not to be trusted.", until)
     if before:
-        said += say(" Revolutions are counted from the new bushing, {} before this test.", before)
+        words += say(" Revolutions are counted from the new bushing, {} before this test.", before)
     return IdentifiedTest(
         **plain,
         record=record,
-        said=said,
+        said=words,
         before=before,
         refused=False,
         course=_course(reader, after),
@@ -180,7 +180,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
 
 @dataclass(frozen=True, slots=True)
 class _Moment:
-    """Tell when a bin was closed, and the standard uncertainty of the depth's zero then, m."""
+    """When a bin was closed, and the standard uncertainty of the depth's zero then, m."""
 
     closed: float
     reference: float
@@ -241,7 +241,7 @@ def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
 def _early(
     known_at: Callable[[int], Identification], index: int, life: DepthLife, planned: int
 ) -> list[ForecastBand]:
-    """Return the early band; none where nothing could be told so early."""
+    """Return the early band; none where nothing was identifiable so early."""
     try:
         return [_band(known_at(index), life, planned)]
     except NotIdentifiable:
@@ -255,7 +255,7 @@ def _band(known: Identification, life: DepthLife, planned: int) -> ForecastBand:
 
 
 def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> str:
-    """Say that the depth measured last lies outside of what was predicted early; else nothing.
+    """Return a sentence when the depth measured last lies outside of the early band; else nothing.
 
     before: revolutions that the bushing had made when the test began, which bands and bins count.
     """
@@ -288,7 +288,7 @@ def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> st
 
 @dataclass(frozen=True, slots=True, eq=False)
 class IdentifiedTests:
-    """Hold what is known of several tests; pairing: of them together, None with why not."""
+    """The parameters of several tests; pairing: of all together, None with why not."""
 
     tests: tuple[IdentifiedTest, ...]
     pairing: Pairing | None = None
@@ -301,7 +301,7 @@ def identified_tests(
     after: int | None = None,
     progress: Callable[[float, float], None] | None = None,
 ) -> IdentifiedTests:
-    """Return what is known of tests, and of their pairing by all that tell enough.
+    """Return what is known of tests, and of their pairing by all that hold enough.
 
     after: as it was known after a revolution. progress: called with the number of files done and of
     all. Raises UnusableInput for no test, or the same one twice.

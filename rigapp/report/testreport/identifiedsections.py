@@ -173,7 +173,7 @@ def remaining_text(test: IdentifiedTest) -> str:
 
 
 def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
-    """Return what a report says of one test."""
+    """Return the blocks of a report about one test."""
     known = test.known
     if known is None:
         return (Text(test.said),)
@@ -235,7 +235,7 @@ def identified_document(identified: IdentifiedTests) -> Manuscript:
 
 
 def pairing_rows(identified: IdentifiedTests) -> tuple[tuple[str, str], ...]:
-    """Return what several specimens tell together; empty when they tell nothing."""
+    """Return the common result of several specimens, empty without one."""
     pairing = identified.pairing
     if pairing is None:
         return ()

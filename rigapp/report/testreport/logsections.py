@@ -137,10 +137,10 @@ def _rule_limits(rule: Any, changed: Mapping[str, float]) -> list[Limit]:
     result = []
     for level in ("warning_above", "critical_above", "warning_below", "critical_below"):
         name = f"{quantity}.{level}"
-        given = _number(rule.get(level))
-        if not given and name not in changed:
+        recorded = _number(rule.get(level))
+        if not recorded and name not in changed:
             continue
-        start = given[0] if given else float("nan")
+        start = recorded[0] if recorded else float("nan")
         severity, _, side = level.partition("_")
         action = actions[severity].replace("_", " ")
         result.append(

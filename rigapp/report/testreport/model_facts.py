@@ -69,9 +69,9 @@ class LastDepth:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Agreement:
-    """What the prediction says. compared: revolutions that were compared.
+    """The prediction for the test. compared: revolutions that were compared.
 
-    joint: what its joint technique assumes, empty when the file does not tell. deviation: what
+    joint: what its joint technique assumes, empty when not in the file. deviation: what
     explained at the end that the rig differs by more than tolerances allow, empty where it did not.
     """
 
@@ -140,7 +140,7 @@ def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
 
 
 def agreement_of(reader: TestReader) -> Agreement | None:
-    """Return what the prediction says of the test; None when nothing is predicted."""
+    """Return the prediction for the test; None when nothing is predicted."""
     table = StoredColumns(reader, "prediction")
     number = row_numbers(reader, "prediction")
     if not len(number):
@@ -171,7 +171,7 @@ def wear_of(reader: TestReader) -> dict[str, LastDepth | None]:
 
 
 def _deviation(table: StoredColumns) -> str:
-    """Return what the last prediction says that explains a difference; empty where nothing."""
+    """Return how the last prediction explains a difference; empty where it does not."""
     names = [column.name for column in deviation_columns()]
     if not all(name in table for name in names):
         return ""
@@ -204,11 +204,11 @@ def _pairs(reader: TestReader, number: RowNumbers) -> tuple[Pair, ...]:
         return ()
     sums = {name: np.zeros(3) for name in names}
     for first, block in blocks(reader, names, "prediction"):
-        mine = number[first : first + len(block[names[0]])]
-        start = measured_number.searchsorted(mine[0])
-        stop = measured_number.searchsorted(mine[-1], "right")
-        there = measured_number[start:stop]
-        _, at_mine, at_there = np.intersect1d(mine, there, True, True)
+        predicted_numbers = number[first : first + len(block[names[0]])]
+        start = measured_number.searchsorted(predicted_numbers[0])
+        stop = measured_number.searchsorted(predicted_numbers[-1], "right")
+        numbers = measured_number[start:stop]
+        _, at_mine, at_there = np.intersect1d(predicted_numbers, numbers, True, True)
         for name in names:
             measured = reader.column(name, start, stop)[at_there].astype(np.float64)
             model = block[name][at_mine].astype(np.float64)

@@ -1,4 +1,4 @@
-"""The pictures of a report: measured solid, model dashed, colours that everybody can tell apart."""
+"""The figures of a report: measured solid, model dashed, distinguishable colours."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ DEPTHS: Mapping[str, tuple[Mapping[str, Any], str, str]] = {
         "by the measured forces",
     ),
 }
-"""Depth of wear -> how it is drawn, its label, how it is told."""
+"""Depth of wear -> its style, its label, its name in the description."""
 GAPS_SHOWN = 40  # more would hide the curves
 BAND_WORDS: Text = "Shaded: the expanded uncertainty of a force by the calibration."
 STATED_WORDS: Text = "Shaded: the expanded uncertainty of a value by the calibration."
@@ -234,7 +234,7 @@ def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Fig
         axes = canvas.subplots()
         _mark_gaps(axes, gaps)
         words = []
-        for last, style, label, said in known:
+        for last, style, label, subject in known:
             if last is not None:
                 x, y = last.line
                 if last.doubt is not None:
@@ -248,7 +248,7 @@ def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Fig
                         lw=0,
                     )
                 _draw(axes, (x, 1e3 * y), **style, label=label)
-                words.append(tr("{} {} at the end", said, quantity(1000.0 * last.depth, "um")))
+                words.append(tr("{} {} at the end", subject, quantity(1000.0 * last.depth, "um")))
         axes.set_ylabel(tr("wear depth (µm)"))
         name_curves(axes)
         revolution_axis(axes)

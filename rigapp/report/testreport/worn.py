@@ -48,8 +48,8 @@ class Extent:
 class Worn:
     """The newest worn profile, its curves in mm at ``angle`` (deg), and the stages before it.
 
-    centred: whether the probes' zero told the direction; approach_change, run_out: um; corrected:
-    whether the change of the approach was taken out, as files of before do not.
+    centred: whether the probes' zero gave the direction; approach_change, run_out: um; corrected:
+    whether the change of the approach was taken out, as in older files it was not.
     """
 
     revolution: int
