@@ -148,8 +148,11 @@ class Edge:
             if not identity.serial_number:
                 raise WrongDevice.at(
                     self,
-                    "the device tells no serial number, and {} is required; take serial_number"
-                    " out, and name its port by that of its USB cable (serial:NUMBER).",
+                    (
+                        "the device reports no serial number, and {} is required; remove"
+                        " serial_number, and name its port by that of its USB cable"
+                        " (serial:NUMBER)."
+                    ),
                     self.serial_number,
                 )
             raise WrongDevice.at(

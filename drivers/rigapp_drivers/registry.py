@@ -24,7 +24,7 @@ FORMER_NAMES = ("drivers", "model", "calibration")
 
 _KIND_WORDS: dict[type, str] = {
     bool: say("true or false"),
-    int: say("a whole number"),
+    int: say("an integer"),
     float: say("a number"),
     str: say("a text in quotation marks"),
     list: say("a list"),

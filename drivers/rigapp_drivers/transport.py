@@ -148,7 +148,7 @@ class SerialPort:
             self.bytes_sent += len(data) if sent is None else sent
         if sent is not None and sent != len(data):
             raise DeviceLost.at(
-                self, "a request could not be sent whole ‹{} of {} bytes›.", sent, len(data)
+                self, "a request was not sent completely ‹{} of {} bytes›.", sent, len(data)
             )
 
     def drain(self) -> bytes:

@@ -73,8 +73,10 @@ class ContactModel:
         if abs(actual - self.restitution) <= MISSED:
             return ""
         return say(
-            "The contact law {} gives a restitution of {:.2f} where {:.2f} is asked for; choose"
-            " the law elements, which gives it.",
+            (
+                "The contact law {} gives a restitution of {:.2f} where {:.2f} is set; choose"
+                " the law elements, which reaches it."
+            ),
             self.law,
             actual,
             self.restitution,

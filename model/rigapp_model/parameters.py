@@ -135,7 +135,7 @@ class Material:
                 "poissons_ratio",
                 self.poissons_ratio,
                 say(
-                    "it must be at least 0 and below 0.5 (0.5 is incompressible; 0.499 comes close)"
+                    "it must be at least 0 and below 0.5 (0.5 is incompressible; use 0.499 instead)"
                 ),
             )
 

@@ -198,14 +198,14 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         first, second = readiness.steadiness.mean
         unit, procedure = self.settings_file.cell.signal_unit, self.procedure
         text = say(
-            "Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N",
+            "Signals {:+.5f}, {:+.5f} {}: the cell reads {:.1f} N",
             first,
             second,
             unit,
             readiness.felt,
         )
         if not procedure.done and procedure.step.kind is not StepKind.SET_UP:
-            text += say("; what should hang weighs {:.1f} N", self.expected())
+            text += say("; the planned load weighs {:.1f} N", self.expected())
         return say("{}.", text)
 
     def compared(self, readiness: Readiness) -> Readiness:
@@ -220,7 +220,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         before = [reading.value for reading in taken if not reading.rejected][-1]
         if not self._doubt(before, procedure.step.series, taken, signal):
             return replace(
-                readiness, state=SignalState.WAITING, words=say("what hangs has not changed yet")
+                readiness, state=SignalState.WAITING, words=say("the load has not changed yet")
             )
         return replace(readiness, state=SignalState.WRONG, words=doubt)
 
@@ -299,8 +299,10 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             span=(0.0, max(12.0, len(count) + 1.0)),
             reach=max(LEAST_REACH_N, 1.2 * float(largest[worst])),
             words=say(
-                "Circle: axis 1, triangle: axis 2. Last {} N; largest {:.2f} N at reading"
-                " {} of those that stand.",
+                (
+                    "Circle: axis 1, triangle: axis 2. Last {} N; largest {:.2f} N at reading {}"
+                    " of those that count."
+                ),
                 last,
                 largest[worst],
                 worst + 1,

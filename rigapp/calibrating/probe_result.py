@@ -97,7 +97,7 @@ def probe_lines(calibration: ProbeCalibration) -> list[str]:
         ),
         say("Backlash is not known.")
         if backlash is None
-        else say("Coming back reads {:+.3f} um against going out.", UM * backlash),
+        else say("Going back reads {:+.3f} um against going out.", UM * backlash),
     ]
 
 
@@ -115,8 +115,10 @@ def pair_lines(pair: PairCalibration) -> list[str]:
     return [
         *lines,
         say(
-            "Probe 1 stands {:+.2f} degrees from the follower's axis, probe 2 {:+.2f}"
-            " degrees from across it (u = {:.2f} and {:.2f} degrees).",
+            (
+                "Probe 1 is {:+.2f} degrees off the follower's axis, probe 2 {:+.2f} degrees off"
+                " the direction across it (u = {:.2f} and {:.2f} degrees)."
+            ),
             angles[0],
             angles[1],
             spread[0],

@@ -139,8 +139,10 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
             return ""
         first, second = readiness.steadiness.mean
         return say(
-            "Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g}"
-            " stands at {:+.1f} µm.",
+            (
+                "Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g}"
+                " reads {:+.1f} µm."
+            ),
             first,
             second,
             self.procedure.step.set_up,

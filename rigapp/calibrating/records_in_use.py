@@ -191,7 +191,7 @@ def _unsigned(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
 def _signer(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
     """Yield the signer of a record, if it is signed."""
     if record.signature is not None:
-        name = trusted.get(record.signature.public_key, say("a key that nobody named"))
+        name = trusted.get(record.signature.public_key, say("an unknown key"))
         yield say("signed by {} ({})", name, _mark(record))
 
 
@@ -471,7 +471,7 @@ def _copy(rig: Path, text: str) -> Path:
             continue
         except OSError as error:
             raise UnusableInput(
-                "{}: the copy of the rig file cannot be written ‹{}›; nothing is changed.",
+                "{}: the copy of the rig file cannot be written ‹{}›; the rig file is not changed.",
                 copy,
                 error,
             ) from error

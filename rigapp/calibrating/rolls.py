@@ -86,7 +86,7 @@ class RollPlan:
 def roll_plan(rpm: str, revolutions: int, orders: int) -> RollPlan:
     """Return the plan of the operator's choices; raise UnusableInput naming the wrong one."""
     if revolutions < 1:
-        raise UnusableInput("--revolutions: take at least 1; 12 are good.")
+        raise UnusableInput("--revolutions: give at least 1; 12 are recommended.")
     speeds = speeds_of("--rpm", rpm, SLOWEST_RPM, FASTEST_RPM, 1)
     return RollPlan(tuple(speeds), revolutions, orders)
 
@@ -134,7 +134,7 @@ class RollSession:
 
     practice: ClassVar[Training] = NO_PRACTICE
     refused: ClassVar[str] = say(
-        "Nothing is saved. The rolls stay as they are; begin a new map when the cause is removed."
+        "Nothing is saved. The rolls are kept. Begin a new map when the cause is removed."
     )
 
     def __init__(
@@ -149,8 +149,8 @@ class RollSession:
         """Begin, or resume from the journal; raise UnusableInput."""
         if rig.file is None or rig.test is None:
             raise UnusableInput(
-                "a roll needs a rig file and a test file, whose mechanism tells the"
-                " elastic motion: name the test file."
+                "a roll needs a rig file and a test file, whose mechanism gives the elastic"
+                " motion: name the test file."
             )
         self.settings_file, self.rig = file, rig
         self.journal = Journal(journal)
@@ -172,10 +172,10 @@ class RollSession:
                 return RollPlan(tuple(stored["speeds"]), stored["revolutions"], stored["orders"])
             except (KeyError, TypeError) as error:
                 raise UnusableInput(
-                    "{}: it tells no rolls ‹{}›.", self.journal.path, error
+                    "{}: it holds no rolls ‹{}›.", self.journal.path, error
                 ) from error
         if plan is None:
-            raise UnusableInput("there are no rolls to take up; begin a map.")
+            raise UnusableInput("there are no rolls to continue; begin a map.")
         self.journal.append({"event": "begin", "rig": self.rig.name, "plan": asdict(plan)})
         return plan
 

@@ -235,9 +235,7 @@ def run_out_lines(run_out: RunOutMap) -> list[str]:
     ]
     if run_out.inertia is None:
         lines.append(
-            say(
-                "One speed only: what inertia adds to it is not known. A second, other speed tells."
-            )
+            say("One speed only: the contribution of inertia is not known. Add a second speed.")
         )
     else:
         lines.append(

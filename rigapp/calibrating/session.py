@@ -143,9 +143,8 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     practice: ClassVar[Training]
     prompt: ClassVar[str] = say("Enter records, {}", OTHER_KEYS)
     refused: ClassVar[str] = say(
-        "Nothing is saved. Go back, select a reading of the series that is wrong,"
-        " reject it with the reason, and take that series again. All readings so far"
-        " stay in the journal."
+        "Nothing is saved. Go back, select a wrong reading, reject it with a reason, and"
+        " repeat its series. All readings so far stay in the journal."
     )
 
     def __init__(
@@ -181,13 +180,13 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             first = events[0]
             if (first.get("rig"), first.get("simulated")) != (self.rig.name, self.rig.simulated):
                 raise UnusableInput(
-                    "these readings come from the rig {}, this is {}; name another journal.",
+                    "these readings are from the rig {}, this is {}; name another journal.",
                     repr(first.get("rig")),
                     repr(self.rig.name),
                 )
             return take_up(self.method, events)
         if plan is None:
-            raise UnusableInput("there are no readings to take up; begin a calibration.")
+            raise UnusableInput("there are no readings to continue; begin a calibration.")
         procedure = begin(self.method, plan)
         self._write({**procedure.events[0], **self._source()})
         return procedure
@@ -351,7 +350,10 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             return hung
         self.adopt(self.procedure.again(say("read after {:.0f} s", hung)))
         raise ProcedureError(
-            "the load hangs for {:.0f} s, {:g} s were wanted: take it off, the creep begins again",
+            (
+                "the load has hung for {:.0f} s instead of {:g} s: take it off, the creep begins"
+                " again"
+            ),
             hung,
             due,
         )

@@ -142,8 +142,10 @@ def subject_of(kind: str) -> Subject:
     known = {known_kind: subject for subject in SUBJECTS.values() for known_kind in subject.kinds}
     if kind not in known:
         raise UnusableInput(
-            "the record is of the kind {}, and this version knows only {}; a newer one"
-            " may have made it",
+            (
+                "the record is of the kind {}, and this version supports only {}; it may be from"
+                " a newer version"
+            ),
             repr(kind),
             joined(", ", known),
         )

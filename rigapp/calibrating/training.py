@@ -138,7 +138,7 @@ class MicrometerMistake(enum.StrEnum):
     SKIPPED = "a position is skipped"
     OTHER_WAY = "the micrometer is turned the other way"
     BACKLASH = "positions are approached from the wrong side"
-    OTHER_PROBE = "the target stands before the other probe"
+    OTHER_PROBE = "the target is in front of the other probe"
     TOO_FAR = "the micrometer is turned too far"
     DRIFT = "something slips slowly"
 

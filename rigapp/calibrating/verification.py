@@ -137,7 +137,7 @@ def verify(record: Record) -> Verification:
         return Verification(0, (), (say("The record {}: its result cannot be verified.", missing),))
     if not 1 <= record.evaluation <= EVALUATION:
         words = say(
-            "It was made by evaluation {}, this program knows those up to {}; update rigapp.",
+            "It was made by evaluation {}, this program supports up to {}; update rigapp.",
             repr(content["evaluation"]),
             EVALUATION,
         )
@@ -145,7 +145,7 @@ def verify(record: Record) -> Verification:
     try:
         return _compare(record, kind, kind.fit(content))
     except (UnusableInput, *MALFORMED) as error:
-        words = say("Its readings cannot be fitted by this version ‹{}›.", repr(error))
+        words = say("This version cannot fit its readings ‹{}›.", repr(error))
         return Verification(0, (words,))
 
 

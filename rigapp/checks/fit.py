@@ -80,8 +80,10 @@ def overload_check(overload_N: float, rig: RigFile) -> Check:
     name, full, reach = say("Overload"), rig.load_cell.full_scale_N, measuring_range_N(rig)
     if overload_N > reach:
         sentence = say(
-            "limits.overload_N = {:g} can never be seen: the input of the load cell is full"
-            " at {:.0f} N",
+            (
+                "limits.overload_N = {:g} is never reached: the input of the load cell saturates"
+                " at {:.0f} N"
+            ),
             overload_N,
             reach,
         )

@@ -92,7 +92,7 @@ def _of_test(test: TestFile | None, rig: RigFile | None) -> Iterator[Check]:
                 title,
                 ATTENTION,
                 say("not named"),
-                say("Write metadata.{}, so that the file tells", name),
+                say("Write metadata.{}, so that the file states it", name),
             )
 
 
@@ -121,8 +121,8 @@ def _of_rules(test: TestFile) -> Iterator[Check]:
     yield Check(
         say("Limits"),
         GOOD if rules else ATTENTION,
-        say("{} of this test, beside overload, overspeed and stale data", rules),
-        "" if rules else say("Add a limit that tells when the joint has changed"),
+        say("{} of this test, in addition to overload, overspeed and stale data", rules),
+        "" if rules else say("Add a limit that warns when the joint changes"),
     )
 
 
@@ -147,9 +147,7 @@ def disk_checks(disk: DiskFacts | None) -> Iterator[Check]:
         say("Disk"),
         BLOCKS if missing > 0 else GOOD,
         say("{} in {}", text, disk.folder),
-        say("Free {:.0f} MB or keep fewer whole cycles", missing / 1000000.0)
-        if missing > 0
-        else "",
+        say("Free {:.0f} MB or store fewer cycles", missing / 1000000.0) if missing > 0 else "",
     )
 
 
@@ -198,7 +196,7 @@ def _of_engine(status: Status) -> Iterator[Check]:
             say("State"), ATTENTION, say("not connected"), say("Connect (F4); Start does it too")
         )
     else:
-        yield Check(say("State"), BLOCKS, say("{}", state), say("Wait until no test is under way"))
+        yield Check(say("State"), BLOCKS, say("{}", state), say("Wait until no test is running"))
     for device in status.rig.devices:
         yield _of_device(device)
     critical = [a for a in status.alarms if a.severity is Severity.CRITICAL]
@@ -221,7 +219,7 @@ def _of_device(device: DeviceView) -> Check:
         return Check(what, verdict, who, device.advice)
     port, why = device.port, device.last_error.rstrip(". ") or say("not connected")
     if not device.needed:
-        action = say("Check cable and power of {}, or go on without its channels", port)
+        action = say("Check cable and power of {}, or continue without its channels", port)
         return Check(what, ATTENTION, why, action)
     return Check(what, BLOCKS, why, say("Check cable and power of {}, reconnect", port))
 
@@ -254,7 +252,7 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
         return
     if status.rig.data_age_s is None or status.rig.data_age_s > STALE_S:
         yield Check(
-            say("Samples"), BLOCKS, say("none are coming"), say("Check the device, reconnect")
+            say("Samples"), BLOCKS, say("none received"), say("Check the device, reconnect")
         )
     else:
         yield Check(say("Samples"), GOOD, say("{:.1f} s old", status.rig.data_age_s))
@@ -276,7 +274,7 @@ def _of_channels(status: Status, rig: RigFile | None) -> Iterator[Check]:
             say("Channel {}", silent.name),
             ATTENTION,
             say("no value from {}", silent.device),
-            say("Check the device that tells it, or go on without"),
+            say("Check the device that sends it, or continue without it"),
         )
 
 

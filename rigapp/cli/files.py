@@ -23,7 +23,7 @@ def info(
         bool, option("--verify", "Check checksums and seal; status 1 where a part differs.")
     ] = False,
 ) -> int:
-    """Tell what a test file holds and how the test ended."""
+    """Show what a test file holds and how the test ended."""
     if verify:
         from rigapp.commands.files import verify_file
 
@@ -46,7 +46,7 @@ def salvage(
     file: RecordedArgument,
     to: Annotated[Path, file_option("--to", "NEW.h5 to make; never overwritten.")],
 ) -> int:
-    """Copy what checksums confirm out of a damaged or truncated file; say what is lost."""
+    """Copy the intact data of a damaged or truncated file; report what is lost."""
     from rigapp.commands.files import salvage_file
 
     return salvage_file(file, to)
@@ -110,7 +110,7 @@ def package(
         bool, option("--allow-private", "Also with what looks private; it is shown.")
     ] = False,
 ) -> int:
-    """Pack tests as they are published; status 1 when something private is in them."""
+    """Pack tests for publication; status 1 when something private is in them."""
     from rigapp.commands.files import package_tests
 
     return package_tests(files, to, author or [], licence, allow_private=allow_private)
@@ -127,7 +127,7 @@ def identify(
         int | None, option("--after", "As it was known after so many revolutions.", min=1)
     ] = None,
 ) -> int:
-    """Tell the wear coefficient of recorded tests, what remains, and how specimens scatter."""
+    """Identify the wear coefficient of recorded tests, remaining life and scatter of specimens."""
     from rigapp.commands.files import identify_tests
 
     return identify_tests(files, to, as_json=json, after=after)

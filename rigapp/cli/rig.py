@@ -77,11 +77,11 @@ def resume(
     speed: SpeedOption = None,
     bind: BindOption = None,
     reason: Annotated[
-        str, option("--reason", "Why it may go on with another calibration or zero; logged.")
+        str, option("--reason", "Why it may continue with another calibration or zero; logged.")
     ] = "",
     check: Annotated[bool, option("--check", "Only show what is there and what differs.")] = False,
 ) -> int:
-    """Go on with an interrupted test in the same file, after a look at what has changed."""
+    """Resume an interrupted test in the same file, after a check of what has changed."""
     from rigapp.service.registry import starting
 
     with starting(rig):
@@ -164,7 +164,7 @@ def wire(
     ] = None,
     seconds: Annotated[float, option("--seconds", "How long to record, with --bug-report.")] = 10.0,
 ) -> int:
-    """Show what a device and the program said on a recorded line, decoded by its driver."""
+    """Show the recorded traffic between a device and the program, decoded by its driver."""
     from rigapp.commands.status import report_lines, show_line
 
     if report is not None:
@@ -193,7 +193,7 @@ def status(
     rig: Annotated[Path | None, option("--rig", "Only the engine of this rig.")] = None,
     json: JsonOption = False,
 ) -> int:
-    """Show the engines that run: state, revolution, alarms, who is in command; 1 when none does."""
+    """Show the running engines: state, revolution, alarms, who has control; 1 when none runs."""
     from rigapp.commands.status import show_engines
 
     return show_engines(rig, as_json=json)
@@ -204,7 +204,7 @@ def notify(
     rig: Annotated[Path | None, option("--rig", "Rig file; else the user's ways alone.")] = None,
     test: Annotated[bool, option("--test", "Send one message by every way.")] = False,
 ) -> int:
-    """Show by which ways an absent operator is told, and what waits; or try them."""
+    """Show the recipients of messages and the messages that wait; or send a test message."""
     from rigapp.commands.unattended import show_ways, try_ways
 
     return try_ways(rig) if test else show_ways(rig)
@@ -231,7 +231,7 @@ def page(
     certificate: CertificateOption = None,
     key: KeyOption = None,
 ) -> int:
-    """Show the engines that run as a read-only page, and as metrics for Prometheus."""
+    """Show the running engines as a read-only page, and as metrics for Prometheus."""
     from rigapp.commands.window import serve_page
 
     return serve_page(rig or [], bind, token, certificate, key)
@@ -301,7 +301,7 @@ def queue_remove(
 
 @queue_verbs.command("start")
 def queue_start(rig: RigOption, operator: OperatorOption = "") -> int:
-    """Begin the next test, or go on with the one that stopped; the rest follows by itself.
+    """Start the next test, or resume the one that stopped; the rest follows by itself.
 
     It stops at the first test that does not end as planned.
     """
@@ -312,7 +312,7 @@ def queue_start(rig: RigOption, operator: OperatorOption = "") -> int:
 
 @queue_verbs.command("stop")
 def queue_stop(rig: RigOption, operator: OperatorOption = "") -> int:
-    """Begin no other test; the one that runs goes on to its end."""
+    """Start no other test; the running one continues to its end."""
     from rigapp.commands.unattended import stop_queue
 
     return stop_queue(rig, operator)

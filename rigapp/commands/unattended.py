@@ -122,7 +122,7 @@ def _wait_for_devices(client: Any) -> None:
 
 def _shown_queue(queue: Queue) -> int:
     left = sum(item.state is not ItemState.DONE for item in queue.items)
-    print(f"{left} to be done, the queue {'works' if queue.working else 'stands'}")
+    print(f"{left} to be done, the queue is {'running' if queue.working else 'paused'}")
     for item in queue.items:
         print(line(item))
     return 0

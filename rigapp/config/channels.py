@@ -131,7 +131,7 @@ def _of_name(name: str, key: str, section: ChannelSection, taken: Mapping[str, s
     if not clash:
         return ""
     return say(
-        "{} cannot be called so: its column {} exists; choose another name", key, repr(clash[0])
+        "{} is not a possible name: its column {} exists; choose another name", key, repr(clash[0])
     )
 
 
@@ -140,8 +140,10 @@ def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str
         fields = [field for field in _OF_INPUT if getattr(section, field) != getattr(_PLAIN, field)]
         if fields:
             yield say(
-                "{}.{} means nothing beside {}.source; take one of them out, a channel"
-                " is either an input or a source",
+                (
+                    "{}.{} has no effect with {}.source; remove one of them: a channel is either"
+                    " an input or a source"
+                ),
                 key,
                 fields[0],
                 key,
@@ -154,16 +156,21 @@ def _of_section(rig: RigFile, key: str, section: ChannelSection) -> Iterator[str
             yield say('{}.{} is missing; write {} = "{}" or the like', key, name, name, example)
     if section.device != source:
         yield say(
-            "{}.device = {} must be {}, the device of the encoder: inputs are sampled"
-            " together with the crank angle; what another device tells comes with"
-            ' {}.source = "DEVICE.QUANTITY"',
+            (
+                "{}.device = {} must be {}, the device of the encoder: inputs are sampled"
+                " together with the crank angle; values of another device are read with"
+                ' {}.source = "DEVICE.QUANTITY"'
+            ),
             key,
             repr(section.device),
             repr(source),
             key,
         )
     if section.table and (section.scale, section.offset_V) != (_PLAIN.scale, _PLAIN.offset_V):
-        yield say("{}.table stands beside scale or offset_V; keep either the table or these", key)
+        yield say(
+            ("{}.table is given together with scale or offset_V; keep either the table or these"),
+            key,
+        )
     elif not section.table and section.scale == 0.0:
         yield say("{}.scale = 0 makes the same value of every voltage; write the unit per V", key)
     if len(section.table) == 1:

@@ -67,8 +67,10 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
     sources = {rig.encoder.device, rig.load_cell.device, rig.probes.device}
     if len(sources) > 1:
         yield say(
-            "encoder, load_cell and probes must come from one device, so that their"
-            " samples are taken together; they name {}",
+            (
+                "encoder, load_cell and probes must be on one device, so that their samples are"
+                " taken together; they name {}"
+            ),
             joined(", ", sorted(sources)),
         )
     for name, device in rig.devices.items():
@@ -83,7 +85,7 @@ def _of_rig(rig: RigFile) -> Iterator[str]:
             )
     elif not rig.simulated_devices:
         yield say(
-            "[simulation] stands in the file of a real rig, where no device has port ="
+            "[simulation] is in the file of a real rig, where no device has port ="
             " 'simulated'; remove the line [simulation] and the keys below it"
         )
     yield from channel_faults(rig)
@@ -113,7 +115,7 @@ def _of_numbers(rig: RigFile) -> Iterator[str]:
     ):
         if not _condition(matrix) <= most:
             yield say(
-                "{} = {} cannot be inverted; two rows say the same, or nothing",
+                "{} = {} cannot be inverted; two rows are dependent or 0",
                 key,
                 [list(row) for row in matrix],
             )
@@ -208,20 +210,24 @@ def _of_sequence(test: TestFile) -> Iterator[str]:
     run, count = test.run, len(test.run.step)
     if count > MOST_STEPS:
         yield say(
-            "run.step stands {} times; {} are possible, and they can be repeated", count, MOST_STEPS
+            "there are {} entries of run.step; {} are possible, and they can be repeated",
+            count,
+            MOST_STEPS,
         )
     for number, step in enumerate(run.step, start=1):
         if (step.revolutions is None) == (step.duration_s is None):
             yield say("run.step {}: give revolutions or duration_s, one of the two", number)
     if run.repeat_from_step > max(1, count):
         yield say(
-            "run.repeat_from_step = {}, but run.step stands {} times", run.repeat_from_step, count
+            "run.repeat_from_step = {}, but there are {} entries of run.step",
+            run.repeat_from_step,
+            count,
         )
     for rule in test.limits.rule:
         for number in rule.steps:
             if not 1 <= number <= count:
                 yield say(
-                    "limits.rule ({}): steps names step {}, but run.step stands {} times",
+                    ("limits.rule ({}): steps names step {}, but there are {} entries of run.step"),
                     rule.quantity,
                     number,
                     count,

@@ -16,7 +16,7 @@ class UnusableInput(SentenceError):
 
 _WORDS = {
     "float": say("a number"),
-    "int": say("a whole number"),
+    "int": say("an integer"),
     "str": say("text"),
     "bool": say("true or false"),
     "null": say("nothing"),

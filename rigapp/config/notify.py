@@ -64,7 +64,11 @@ def notify_faults(ways: Sequence[NotifySection], ping: PingSection | None) -> It
         yield from (say("notify {} {}", number, fault) for fault in _of_way(way))
     for name, count in Counter(way.name for way in ways if way.name).items():
         if count > 1:
-            yield say("notify.name = {} stands {} times; each way needs its own", repr(name), count)
+            yield say(
+                "notify.name = {} occurs {} times; each recipient needs its own name",
+                repr(name),
+                count,
+            )
     if ping is not None and not REFERENCE.fullmatch(ping.url):
         if urlsplit(ping.url).scheme not in ("http", "https"):
             yield say("ping.url begins neither with http:// nor with https://")
@@ -86,7 +90,7 @@ def _of_way(way: NotifySection) -> Iterator[str]:
         elif _password_in(way.url):
             yield say("url holds a password; {}", _ELSEWHERE)
     if way.command and not way.command[0].strip():
-        yield say("command names no program")
+        yield say("the command names no program")
     if not way.when:
         yield say("when is empty; choose of {}", joined(", ", get_args(When)))
     if way.name and not WAY_NAME.fullmatch(way.name):

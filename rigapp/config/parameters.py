@@ -177,7 +177,7 @@ def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
         is_set = getattr(wear, key) is not None
         if is_set and key not in needs:
             raise UnusableInput(
-                "{}.{} means nothing with law = {}; take it out or choose the law that reads it",
+                "{}.{} has no effect with law = {}; remove it or choose the law that uses it",
                 where,
                 key,
                 repr(wear.law),

@@ -146,7 +146,7 @@ def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None
     if isinstance(value, float) and not math.isfinite(value):
         return say("{} = {} is not a finite number{}", key, value, range_words)
     if allowed.integer and not isinstance(value, int):
-        return say("{} = {} is not a whole number{}", key, value, range_words)
+        return say("{} = {} is not an integer{}", key, value, range_words)
     if allowed.holds(value):
         return ""
     return say(

@@ -91,7 +91,7 @@ def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
         left = deadline - time.monotonic()
         if pipe and (left <= 0.0 or not _something_comes(descriptor, left)):
             raise UnusableInput(
-                "{}: is a pipe into which nobody wrote within {:g} s; name a file.",
+                "{}: is a pipe without data for {:g} s; name a file.",
                 path,
                 PATIENCE_S,
             )

@@ -130,8 +130,10 @@ def rule_faults(rule: LimitRule, table: ChannelTable | None) -> Iterator[str]:
     critical = [name for name in bounds if name.startswith("critical")]
     if critical and rule.action_critical == "none":
         yield say(
-            "action_critical = 'none' would do nothing at {} = {:g}; choose warn,"
-            " pause, stop or drive_off, or give a warning level in its place",
+            (
+                "action_critical = 'none' would have no effect at {} = {:g}; choose warn, pause,"
+                " stop or drive_off, or give a warning level instead"
+            ),
             critical[0],
             bounds[critical[0]],
         )

@@ -25,7 +25,7 @@ def toml_tree(text: str, where: str | Path) -> dict[str, Any]:
     depth = _depth(text)
     if depth > DEEPEST:
         raise UnusableInput(
-            "{}: tables, lists or keys lie {} deep, {} at most; check the brackets and the dots.",
+            "{}: nesting is {} levels deep; the maximum is {}. Check the brackets and the dots.",
             where,
             depth,
             DEEPEST,

@@ -90,7 +90,7 @@ def open_test(
     if opened.last_revolution >= run.revolutions:
         opened.store.close()
         raise UnusableInput(
-            "{}: holds revolution {} of {} planned; nothing is left to do",
+            "{}: holds revolution {} of {} planned; no revolution is left to do",
             path,
             opened.last_revolution,
             run.revolutions,
@@ -222,7 +222,7 @@ def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -
             stops.remember(opened.history(), last, opened.depths(stops.recent(last)))
         over = stops.over(offset_s)
         if over is not None:
-            raise UnusableInput("{}: nothing is left to do. {}", path, over.sentence)
+            raise UnusableInput("{}: no revolution is left to do. {}", path, over.sentence)
     except BaseException:
         opened.store.close()
         raise
@@ -274,7 +274,7 @@ def extend(core: Core, revolutions: int, operator: str, reason: str) -> None:
     before = run.planned
     active.recorder.extend(revolutions)
     run.planned = revolutions
-    text = say("the test shall end after {} revolutions{}", revolutions, _why(reason))
+    text = say("the test will end after {} revolutions{}", revolutions, _why(reason))
     core.event("command", operator or "operator", text, str(before), str(revolutions))
 
 

@@ -108,7 +108,7 @@ class ConnectedRig:
     def _silence(self, stale_data_s: float) -> str:
         age = self.age_s(self.received_s)
         if age >= stale_data_s:
-            return say("no samples came for {:.1f} s", age)
+            return say("no samples received for {:.1f} s", age)
         if self.age_s(self.control.answered_s) >= self.control.prompt_s:
             return say("the drive does not answer")
         return ""

@@ -304,5 +304,5 @@ def lost_device(error: DeviceError) -> Cause:
 
 def silent_thread(worker: Worker) -> Cause:
     """Return the alarm of a thread that hangs."""
-    sentence = say("gave no sign of life for {:.1f} s", worker.silent_for())
+    sentence = say("sent no heartbeat for {:.1f} s", worker.silent_for())
     return make_alarm("thread", worker.name, sentence=sentence)

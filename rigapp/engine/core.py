@@ -284,14 +284,15 @@ class Core:
     def reached_standstill(self, witnesses: str, how: str) -> None:
         """Record that the spindle is stationary; the file can be finished."""
         if self.test is not None and not self.test.reached_standstill:
-            how = say("the spindle stands {}; seen by {}", how, witnesses)
+            how = say("the spindle is stationary {}; confirmed by {}", how, witnesses)
             self.event("stopped", "drive", how)
             self.test.reached_standstill = True
 
     def stop_without_effect(self, drive: str) -> None:
         """Warn that the crank turns on although the drive has confirmed the power-off."""
         sentence = say(
-            "{} confirmed the power-off, but the crank turns on. It is left to its watchdog.", drive
+            "{} confirmed the power-off, but the crank still turns. Its watchdog will stop it.",
+            drive,
         )
         self.warn(make_alarm("will_not_stop", sentence=sentence))
         if self.test is not None and not self.test.reached_standstill:
@@ -341,7 +342,7 @@ class Core:
         try:
             self._on_measured(measured_history(row.number, row.measured, row.named))
         except Exception as error:
-            self.event("twin", "engine", say("the prediction was not asked ‹{}›", repr(error)))
+            self.event("twin", "engine", say("the prediction was not requested ‹{}›", repr(error)))
             self._on_measured = None
 
     def _store(self, test: ActiveTest, row: Row) -> None:
@@ -394,9 +395,8 @@ class Core:
                     "cycles",
                     "engine",
                     say(
-                        "the room for whole cycles around alarms, limits and notes is used"
-                        " up: from here on only those of the schedule are kept, and those"
-                        " around critical alarms while room lasts"
+                        "Reserved space for triggered cycles is full. Only scheduled cycles"
+                        " and those around critical alarms are stored from here on"
                     ),
                 )
             test.triggers_refused = triggers

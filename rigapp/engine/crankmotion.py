@@ -62,7 +62,7 @@ class CrankMotion:
         if test.logs_steps:
             if core.state is RunState.STARTING:
                 text = say(
-                    "{} was over before its {:g} rpm were reached", ended.words, ended.speed_rpm
+                    "{} ended before the spindle reached {:g} rpm", ended.words, ended.speed_rpm
                 )
                 core.event("step", "engine", text, level="warning")
             core.event("step", "engine", words, before=ended.words, after=stage.words)
@@ -125,8 +125,10 @@ class CrankMotion:
         elif do is DriveStep.GIVE_UP:
             core.will_not_stop(
                 say(
-                    "The stop was commanded, the power was cut, and still the spindle is"
-                    " not seen to stand (asked: {}).",
+                    (
+                        "The stop was commanded and the power switched off, but the standstill"
+                        " is not confirmed (cause of the stop: {})."
+                    ),
                     stop.witnesses,
                 )
             )

@@ -176,13 +176,15 @@ def _check_drive_quantities(
         needed = info.needed.get(channel.input, "")
         if channel.input not in info.quantities:
             wrong = say(
-                "a {} tells {}",
+                "a {} reports {}",
                 info.title,
-                joined(", ", info.quantities) or say("nothing of itself"),
+                joined(", ", info.quantities) or say("none of its own"),
             )
         elif needed and not settings[needed]:
             wrong = say(
-                "give devices.{}.settings.{}, without which none is told", channel.device, needed
+                "give devices.{}.settings.{}, without which none is reported",
+                channel.device,
+                needed,
             )
         else:
             continue

@@ -56,7 +56,7 @@ def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) 
         say("the zero is taken before a test, not while {}", core.state),
     )
     assert rig is not None
-    core.require(rig.is_stationary(), say("the crank turns; let it stand"))
+    core.require(rig.is_stationary(), say("Stop the crank first."))
     patience_s = core.timing.zero * 4 + core.timing.start_margin
     signals = averaged(rig, core.timing.zero, patience_s).mean
     calibration = rig.processor.calibration
@@ -83,7 +83,7 @@ def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) 
 def use_records(core: Core, connection: Connection | None, rig: Document[RigFile]) -> None:
     """Use a rig file with the numbers of other records; see ``Engine.use_records``."""
     if core.state in ACTIVE:
-        raise Refused("a test is under way; stop it first")
+        raise Refused("a test is running; stop it first")
     if connection is not None:
         before = connection.rig.processor.calibration
         calibration = calibration_of(rig.record, connection.rig.setup)
@@ -99,7 +99,7 @@ def averaged(rig: ConnectedRig, seconds: float, patience_s: float) -> Averaging:
     rate = rig.setup.sample_rate_Hz
     averaging = rig.processor.average(max(8, round(seconds * rate)))
     if not averaging.done.wait(patience_s):
-        raise TimeoutError(say("the zero needs samples, and none came; check the device"))
+        raise TimeoutError(say("No samples received while zeroing. Check the device."))
     return averaging
 
 
@@ -195,7 +195,7 @@ def signal_view(
     """
     if rig is None or state not in PERMITTED:
         raise Refused(
-            "readings are taken while the rig is ready and no test is under way, not while {}",
+            "readings are taken while the rig is ready and no test is running, not while {}",
             state,
         )
     if not 0.0 < window_s < math.inf:

@@ -176,7 +176,7 @@ class Supervisor:
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
         longest += connection.rig.control.approach_s
         if not test.reached_standstill and time.monotonic() - test.stopping_since > longest:
-            core.will_not_stop(say("The stop was commanded, but the drive could not be asked."))
+            core.will_not_stop(say("The stop was commanded, but the drive did not answer."))
         if core.finish_due and not connection.commit.well:
             self._help("finish", core.finish)
 

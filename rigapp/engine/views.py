@@ -49,7 +49,7 @@ from rigapp_drivers.edge import Guarded
 
 WAITING: Final = {
     RunState.CONNECTING: say("Wait: the devices are being connected."),
-    RunState.STOPPING: say("Wait: the spindle is brought to a stand and the file is finished."),
+    RunState.STOPPING: say("Wait: the spindle is stopping and the file is being finished."),
     RunState.PAUSING: say("Wait: the crank comes to rest at the pause angle."),
 }
 """States that pass by themselves, and their sentences."""
@@ -133,16 +133,16 @@ def _sentence(step: Remedy, about: Sequence[Alarm], now: Situation) -> str:
     if step is Remedy.RESUME:
         if now.unfinished:
             name = PurePath(now.unfinished).name
-            return say("Go on with the test in {}, or start another one.", name)
+            return say("Resume the test in {}, or start another one.", name)
         return say("Start a test.")
     if step is Remedy.ACKNOWLEDGE:
         more = say(" and {} more", len(about) - 1) if len(about) > 1 else ""
-        return say('Acknowledge "{}"{}: say that you have seen it.', about[0].title, more)
+        return say('Acknowledge "{}"{}: confirm that you have seen it.', about[0].title, more)
     if about and about[0].active and about[0].ends is not Ends.TEST:
         return about[0].action
     if step is Remedy.CONNECT:
         return say("Remove the cause, then connect the devices.") if now.reason else say("Connect.")
-    return say("Reset: the deliberate step before another start. Nothing moves.")
+    return say("Reset to clear the fault. Nothing will move.")
 
 
 RIG_FILE = say("rig file")
@@ -410,7 +410,7 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
         )
     for channel in calibration.table.slow:
         value, age_s = connection.rig.slow_channels.at(channel, time.monotonic())
-        words = say("told by {}", channel.device)
+        words = say("reported by {}", channel.device)
         views.append(
             ChannelView(
                 channel.name, value, channel.signal_unit, value, channel.unit, words, age_s=age_s

@@ -68,9 +68,7 @@ def ways_of(rig: Document[RigFile] | None) -> DeliveryChannels:
     names = [way.name for way in named]
     for name in names:
         if names.count(name) > 1:
-            raise UnusableInput(
-                "{}: notify.name = {} stands in the rig file, too.", own, repr(name)
-            )
+            raise UnusableInput("{}: notify.name = {} is in the rig file, too.", own, repr(name))
     ping = rig.record.ping if rig is not None and rig.record.ping is not None else None
     ping = ping or (user.ping if user else None)
     return DeliveryChannels(named, ping, user_folder() / "secrets.toml")

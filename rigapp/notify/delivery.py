@@ -80,7 +80,7 @@ def _require_private(file: Path, status: os.stat_result) -> None:
     if not stat.S_ISREG(status.st_mode) or status.st_size > SMALL_BYTES:
         raise UnusableInput("{}: is no small file; write the secrets into one.", file)
     if not owned_by_user(status):
-        raise UnusableInput("{}: belongs to somebody else; make it yours.", file)
+        raise UnusableInput("{}: belongs to another user; make it yours.", file)
     if open_to_others(status):
         raise UnusableInput(
             "{}: others can read it (mode {}); chmod 600 it, and change the secrets"

@@ -64,13 +64,17 @@ def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
     """Refuse a folder that has one of the files, or whose name is that of a file."""
     for path in (folder, *(folder / name for name in ("calibration", "notebooks"))):
         if os.path.lexists(path) and not path.is_dir():
-            raise UnusableInput("{}: is no folder; nothing is written, name another folder.", path)
+            raise UnusableInput(
+                "{}: is not a folder; nothing was written. Name another folder.", path
+            )
     existing = [str(file.path) for file in files if os.path.lexists(folder / file.path)]
     if existing:
         names = joined(", ", existing)
         raise UnusableInput(
-            "{}: {} already; nothing is written, as nothing is overwritten. Name another folder,"
-            " or move what is there.",
+            (
+                "{}: {} already; nothing was written or overwritten. Name another folder, or"
+                " move the present one."
+            ),
             folder,
             say("{} exists", names) if len(existing) == 1 else say("{} exist", names),
         )

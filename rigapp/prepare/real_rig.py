@@ -137,7 +137,7 @@ def _looked_at(port: Any, drivers: Sequence[DriverInfo]) -> FoundPort:
     if not os.access(port.device, os.R_OK | os.W_OK):
         return FoundPort(name, say("{}: this user may not open it", label))
     if not may_be_probed(port.device, known):
-        return FoundPort(name, say("{}: not asked, it is no USB device itself", label))
+        return FoundPort(name, say("{}: not queried, it is not a USB device itself", label))
     inquiry = ask(port.device, [*known, *(driver for driver in drivers if driver not in known)])
     if inquiry.answer is None:
         return FoundPort(name, say("{}: {}", label, inquiry.problem or say("no answer")))

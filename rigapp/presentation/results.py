@@ -110,7 +110,7 @@ def _remarks(result: TestResult) -> Iterator[TrustLine]:
     cycles = grouped(result.revolutions)
     lossless = result.gaps == 0 and result.flagged == 0
     marked = tr("{} gaps, {} of {} cycles flagged", result.gaps, grouped(result.flagged), cycles)
-    lost = tr("Nothing lost") if lossless else tr("Data are missing or doubtful")
+    lost = tr("No data lost") if lossless else tr("Data are missing or doubtful")
     yield TrustLine(lossless, lost, marked)
     if result.outcome is HowEnded.INTERRUPTED:
         safe = tr("{} cycles are safe; it can be resumed", cycles)
@@ -146,7 +146,7 @@ def file_line(result: TestResult) -> str:
         return ""
     size, changed = bytes_text(result.size_bytes), _dated(datetime.fromtimestamp(result.modified))
     kept = grouped(result.cycles_saved)
-    return tr("{}; {} cycles kept whole; changed {}", size, kept, changed)
+    return tr("{}; {} complete cycles stored; changed {}", size, kept, changed)
 
 
 def moment(text: str) -> str:

@@ -130,7 +130,7 @@ def shutdown_with_timeout(
         more = len(signals) - heard
         if time.monotonic() > deadline or more > (2 if turning() else 0):
             give_up()
-            end_at_once(say("what was still open could not be closed in time and was left."))
+            end_at_once(say("what was still open was not closed in time."))
     closing.result()
 
 

@@ -36,7 +36,7 @@ def private_folder(folder: Path, instead: str = "") -> Path:
         if not hasattr(os, "getuid"):
             return folder
         if not owned_by_user(status):
-            raise UnusableInput("{}: belongs to somebody else{}.", folder, instead)
+            raise UnusableInput("{}: belongs to another user{}.", folder, instead)
         if status.st_mode & 0o022:
             raise UnusableInput(
                 "{}: others can write into it; look at what is in it, then chmod 700 it{}.",

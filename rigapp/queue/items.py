@@ -110,7 +110,7 @@ def cut_off(queue: Queue) -> Queue:
     """Return a queue whose engine ended without a word: what ran is stopped, nothing works."""
     test = queue.running
     if test is not None:
-        words = say("the computer or the program ended while it ran")
+        words = say("the computer or the program stopped during the test")
         queue = ended(queue, test.number, words, done=False)
     return halted(queue)
 

@@ -113,7 +113,7 @@ class QueueWorker:
             self._hands.tell(say("{}; then start the queue again.", error))
             raise
         except Exception as error:
-            words = error_text(error, say("The test could not be begun."))
+            words = error_text(error, say("The test failed to start."))
             self._store.change(lambda queue: ended(queue, test.number, words, done=False))
             raise
         if end is None:

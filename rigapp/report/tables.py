@@ -17,7 +17,9 @@ def check_target(option: str, target: Path, source: Path | None = None) -> None:
     if target.suffix.lower() != ".csv":
         raise UnusableInput("{} {}: give a name that ends with .csv.", option, target)
     if target.is_dir() or not target.absolute().parent.is_dir():
-        raise UnusableInput("{} {}: there is no such folder, or it is one itself.", option, target)
+        raise UnusableInput(
+            "{} {}: The folder does not exist, or the path is a folder.", option, target
+        )
     if source is not None and target.exists() and source.exists() and target.samefile(source):
         raise UnusableInput("{} {}: that is the parameter file; give another name.", option, target)
 

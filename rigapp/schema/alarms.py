@@ -62,8 +62,8 @@ UNBELIEVED = ("wear_jumped", "wear_fell", "wear_negative")
 last believed one, um."""
 
 RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
-    "none": (say("Nothing was done."), None),
-    "warn": (say("The test goes on."), None),
+    "none": (say("No action taken."), None),
+    "warn": (say("The test continues."), None),
     "pause": (say("The test pauses at the safe angle."), None),
     "stop": (say("The test was stopped."), FinishReason.LIMIT),
     "drive_off": (say("The drive was switched off."), FinishReason.LIMIT),
@@ -72,7 +72,7 @@ RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
 
 
 LOOK_AT_TREND = say(
-    "Look at the trend of this quantity; acknowledge, or change the limit with reason."
+    "Check the trend of this quantity. Acknowledge, or change the limit with a reason."
 )
 
 

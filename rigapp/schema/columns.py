@@ -108,7 +108,7 @@ def identified_columns() -> tuple[Column, ...]:
             "wear_consistency",
             "<f8",
             "1",
-            "how far newer depths together are from what the ones before let expect, in standard"
+            "deviation of newer depths together from what the earlier ones predict, in standard"
             " deviations; positive where the joint wears faster",
         ),
         Column(
@@ -124,7 +124,7 @@ def identified_columns() -> tuple[Column, ...]:
             "wear_departure_revolution",
             "<f8",
             "1",
-            "revolution since which the joint wears otherwise than before, once that was told",
+            "revolution from which the wear of the joint has changed, once detected",
         ),
     )
 

@@ -88,7 +88,7 @@ def _share(at: At) -> float:
 
 _ELASTIC = say("needs the model's elastic approach")
 _COMPARED = say("compares with the model")
-_IDENTIFIED = say("is identified beside the model")
+_IDENTIFIED = say("is identified by the twin")
 _DEVIATION = say("The RMS of measured less predicted |F|")
 
 CRITERIA = {
@@ -195,9 +195,7 @@ CRITERIA = {
             say("wear consistency"),
             Sight.PREDICTION,
             lambda at: abs(at("wear_consistency")),
-            _in_a_row(
-                say("The wear's departure from what was expected"), say("standard deviations")
-            ),
+            _in_a_row(say("Deviation of the wear from the forecast"), say("standard deviations")),
             count="identified_revolutions",
             model=_IDENTIFIED,
             of_depth=("wear_consistency",),

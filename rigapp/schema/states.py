@@ -125,7 +125,7 @@ def transition(state: RunState, trigger: Trigger) -> RunState:
             '"{}" is not possible while {}; possible now: {}',
             trigger.value,
             state,
-            joined(", ", possible) or say("nothing, wait"),
+            joined(", ", possible) or say("no action, wait"),
         )
     return following
 

@@ -10,21 +10,21 @@ from collections.abc import Mapping
 from rigapp.texts import say
 
 WORDS: Mapping[str, str] = {
-    "unacknowledged": say("the condition holds, and nobody has acknowledged it"),
-    "acknowledged": say("the condition holds, and somebody has acknowledged it"),
+    "unacknowledged": say("the condition is present and not acknowledged"),
+    "acknowledged": say("the condition is present and acknowledged"),
     "returned": say(
-        "a warning whose condition is over before anybody has acknowledged it;"
-        " acknowledging takes it off the list"
+        "the condition of this warning ended before it was acknowledged; acknowledging"
+        " removes it from the list"
     ),
     "latched": say(
         "a critical alarm whose condition is over; it forbids a start until it is"
         " acknowledged and reset"
     ),
     "shelved": say("hidden for a limited time, with a reason; limits act all the same"),
-    "first": say("the critical alarm that came first since the last reset: look there first"),
+    "first": say("the first critical alarm since the last reset: check its cause first"),
     "Drive warning": say(
-        "the drive itself warns, as a rule of its supply, temperature or load; what is"
-        " damaged on its line is counted beside the device and is no warning"
+        "the drive reports a warning itself, usually about supply, temperature or load;"
+        " errors on its line are counted beside the device and are no warning"
     ),
 }
 """A word as the window shows it, and what it means."""

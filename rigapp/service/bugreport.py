@@ -87,9 +87,9 @@ class BugReports:
             if device not in known:
                 raise UnusableInput("{}: there is no device {}.", rig.path, repr(device))
         if file.suffix != ".zip" or not file.is_absolute():
-            raise UnusableInput("{}: name a file by its whole path, with the ending .zip.", file)
+            raise UnusableInput("{}: give the full path of a file with the ending .zip.", file)
         if file.exists():
-            raise UnusableInput("{}: exists already; nothing is overwritten.", file)
+            raise UnusableInput("{}: exists already and is not overwritten.", file)
         with self._lock:
             if self._open is not None:
                 raise Refused("the lines are being recorded already; end that first")

@@ -93,7 +93,7 @@ TWIN_START_S = 15.0
 """A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
 
 
-END_CALIBRATION = say("Take off what hangs on the pin, then end the calibration.")
+END_CALIBRATION = say("Remove the weights from the pin, then end the calibration.")
 """The next step of a rig that a calibration occupies."""
 
 
@@ -202,7 +202,7 @@ class EngineHost:
         )
 
     def _note_viewers(self, watched: bool) -> None:
-        text = say("a window looks on") if watched else say("the last window has gone")
+        text = say("a window is read-only") if watched else say("the last window has gone")
         self.engine.log("viewer", text, "engine")
 
     # --- tests -----------------------------------------------------------------------------------
@@ -217,7 +217,7 @@ class EngineHost:
     def _connect_to_report(self) -> None:
         """Connect again for a bug report; raise Refused while the rig is occupied."""
         if self.occupied:
-            raise Refused("the rig is occupied; its lines are recorded without connecting anew")
+            raise Refused("the rig is in use; its lines are recorded without reconnecting")
         with self.starting:
             self.connect()
 
@@ -265,7 +265,7 @@ class EngineHost:
                 notes += remarks(resumption, operator, reason)
                 if self.simulated.needed and past.worn is None:
                     words = say(
-                        "the file tells no wear depth: the simulated rig has an unworn bushing"
+                        "the file states no wear depth: the simulated rig has an unworn bushing"
                     )
                     notes.append(LogEntry("resumed", words, operator))
                 self._take_up(past)
@@ -339,8 +339,10 @@ class EngineHost:
         if not only_records_differ(self._rig.record, now.record):
             raise ChangedElsewhere(
                 say(
-                    "{} was changed in more than the records that it names; it counts when"
-                    " the engine is started again",
+                    (
+                        "{} has changes beyond the records that it names; it takes effect when"
+                        " the engine is started again"
+                    ),
                     path,
                 )
             )
@@ -356,7 +358,7 @@ class EngineHost:
         if ready and self.simulated.suits(test.model):
             return
         if self.engine.state in ACTIVE:
-            raise Refused("a test is under way; stop it first")
+            raise Refused("a test is running; stop it first")
         self.connect(test)
 
     def _compare(self, past: Past, test: TestFile) -> Resumption:

@@ -75,7 +75,7 @@ def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:
     if len(pin) < FEWEST:
         raise UnusableInput("A PIN has {} characters at least.", FEWEST)
     if pins and not any(fits(by_pin, kept) for kept in pins.values()):
-        raise UnusableInput("The PIN of somebody who has one is needed, too.")
+        raise UnusableInput("The PIN of an operator who has one is needed, too.")
     pins[name.strip()] = hashed(pin)
     with whole_file(file, mode=0o600) as part:
         part.write_text(toml_text(OperatorsFile(1, pins)), encoding="utf-8", newline="")

@@ -94,7 +94,7 @@ class ControlLock:
             if holder is None or silence <= GONE_AFTER_S:
                 return
             self._holder = None
-        text = say("command released: nothing was heard of {} for {:.0f} s", holder.name, silence)
+        text = say("control released: no message from {} for {:.0f} s", holder.name, silence)
         self._log(text, "engine", holder.name, "")
 
     def judge(self, request: Request) -> None:
@@ -132,7 +132,7 @@ class ControlLock:
             self._heard = self._clock()
         if not same:
             before = former.name if former is not None else ""
-            text = say("took command") + (say(" by force from {}", before) if before else "")
+            text = say("took control") + (say(" by force from {}", before) if before else "")
             self._log(text, taker.name, before, taker.name)
         return {"in_command": taker.name}
 
@@ -141,10 +141,11 @@ class ControlLock:
         with self._lock:
             holder = self._holder
             if holder is None or holder.client != request.client:
-                holding = say("{} is", holder.name) if holder is not None else say("nobody is")
-                raise Refused("you do not control this rig, {}", holding)
+                if holder is None:
+                    raise Refused("nobody controls this rig; take control first")
+                raise Refused("you do not control this rig; {} does", holder.name)
             self._holder = None
-        self._log(say("released command"), holder.name, holder.name, "")
+        self._log(say("released control"), holder.name, holder.name, "")
 
     def present(self, request: Request) -> dict[str, bool]:
         """Return whether the sender still has control (``judge`` has noted the heartbeat)."""
@@ -271,7 +272,7 @@ class RequestHandler:
     def _begin_calibration(self, requested: BeginCalibration, by: Request) -> Any:
         with self._host.starting:
             if self._host.engine.state in ACTIVE:
-                raise Refused("a test is under way; stop it first")
+                raise Refused("a test is running; stop it first")
             return self._host.calibration.begin(by, requested.what, requested.fastest_rpm)
 
     def _end_calibration(self, requested: CalibrationKey, by: Request) -> None:

@@ -147,8 +147,10 @@ def read_past(path: Path) -> Past:
         rows = reader.committed()
         if reader.has_all_revolutions():
             raise UnusableInput(
-                "{}: the test was {} with all its {} revolutions; there is nothing to"
-                " go on with, begin a new test",
+                (
+                    "{}: the test was {} with all its {} revolutions; no revolution is left to"
+                    " do. Begin a new test"
+                ),
                 path,
                 status,
                 rows,
@@ -307,7 +309,7 @@ def _of_devices(past: Past, devices: Mapping[str, Mapping[str, Any]]) -> Iterato
                 joined(", ", (say("{} {}", key, record[key]) for key in changed))
                 for record in (then, readback)
             )
-            text = say("{} is set otherwise than before: {}", name, joined(", ", changed))
+            text = say("{} is set differently from before: {}", name, joined(", ", changed))
             yield Compared(say("Settings of {}", name), before, now, Fit.NOTED, text)
 
 
@@ -424,8 +426,8 @@ def _of_zero(
             say("Zero of the load cell"), before, now, say("the zero of the load cell differs")
         )
     if rest is None or past.rest is None:
-        text = say("the crank moves, or no samples come while it stands")
-        text = text if rest is None else say("the file does not tell them")
+        text = say("the crank moves, or no samples arrive while it is stationary")
+        text = text if rest is None else say("the file does not state them")
         yield Compared(say("Load cell at rest"), "", "", Fit.NOTED, say("not compared: {}", text))
         return
     where = [signals.crank_angle_deg for signals in (past.rest, rest)]
@@ -438,8 +440,8 @@ def _of_zero(
         for angle in where
     )
     text = say(
-        "not compared: the crank is not known to stand as it stood, and a spring"
-        " presses by its angle"
+        "not compared: it is not known that the crank is at the same angle, and the spring"
+        " force depends on it"
     )
     yield Compared(say("Load cell at rest"), old, new, Fit.NOTED, text)
 
@@ -465,19 +467,18 @@ def remarks(resumption: Resumption, operator: str, reason: str) -> list[LogEntry
     Raises Refused when the test cannot go on, or not without a reason.
     """
     if resumption.blocked:
-        raise Refused("{} cannot go on here: {}", resumption.file, resumption.blocked)
+        raise Refused("{} cannot continue here: {}", resumption.file, resumption.blocked)
     why = reason.strip()
     refuse_long("reason", why)
     if resumption.asks_reason and not why:
         raise Refused(
-            "{} goes on only with a reason: {}; put it right, or give the reason, which"
-            " is recorded",
+            "Resuming {} needs a reason because {}. Fix it, or enter a reason (it is logged)",
             resumption.file,
             resumption.asks_reason,
         )
     who = operator or "operator"
     text = say(
-        "going on after {}; the test was {}{}",
+        "resuming after {}; the test was {}{}",
         interval(resumption.gap_s),
         resumption.status,
         ": " + resumption.reason if resumption.reason else "",

@@ -209,7 +209,7 @@ class RequestQueue:
             thread.start()
         except RuntimeError as error:
             self._leave(name)
-            return say("The engine has no room for this request now ‹{}›; ask again.", error)
+            return say("The engine's request queue is full ‹{}›; try again.", error)
         return ""
 
     def _carry_out(self, name: str, job: Callable[[], None]) -> None:
@@ -337,7 +337,7 @@ class Server:
             self._send_replies()
         except BaseException as error:
             self.failure = error
-            self._on_failure(say("The part that serves windows has died ‹{}›.", repr(error)))
+            self._on_failure(say("The part that serves windows has stopped ‹{}›.", repr(error)))
             raise
 
     @property
@@ -383,7 +383,7 @@ class Server:
         except Refused as error:
             why_not = sentence_of_error(error)
         except Exception as error:
-            why_not = say("The request is not readable ‹{}›.", error)
+            why_not = say("The request cannot be read ‹{}›.", error)
         if why_not:
             body = encode(refusal(why_not, identifier))
             self._router.send_multipart([sender, b"", body])
@@ -395,7 +395,7 @@ class Server:
             body = encode(reply)
         except Exception as error:
             body = encode(
-                refusal(say("The engine could not do this ‹{}›.", repr(error)), request.identifier)
+                refusal(say("The engine failed to do this ‹{}›.", repr(error)), request.identifier)
             )
         self._replies.put((sender, body))
 

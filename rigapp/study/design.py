@@ -92,9 +92,7 @@ def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
         blocks = 0
     else:
         if not vary:
-            raise UnusableInput(
-                "design.kind = {}: vary names nothing to be varied.", repr(section.kind)
-            )
+            raise UnusableInput("design.kind = {}: vary names no keys.", repr(section.kind))
         unit, blocks = _drawn(len(vary), section)
         rows = [
             {key: _at(varied, u) for (key, varied), u in zip(vary.items(), point, strict=True)}

@@ -110,8 +110,8 @@ def study_results(folder: Path) -> StudyResults:
     changed = (folder / newest).stat().st_mtime
     if newest != TABLE:
         reason = say(
-            "The study has no table yet: it is under way, or was killed. What is done"
-            " is safe, and the same command goes on with it."
+            "The study has no table yet: it is running, or was interrupted. Finished points"
+            " are saved; the same command continues it."
         )
         return StudyResults(folder, changed, reason=reason)
     try:

@@ -82,7 +82,10 @@ class StudyJournal:
             )
         if known.version != identity.version:
             raise UnusableInput(
-                "--to {}: was begun by rigapp {}; go on with that, or give a new folder.",
+                (
+                    "--to {}: was begun by rigapp {}; continue with that version, or give a new"
+                    " folder."
+                ),
                 self.folder,
                 known.version,
             )

@@ -125,7 +125,7 @@ def read_study(path: Path) -> Study:
         if kind.modelled:
             source = path.parent / record.parameters
             if not record.parameters:
-                raise UnusableInput("parameters is missing; name the parameter file.")
+                raise UnusableInput("parameters are missing; name the parameter file.")
             parameters = read_parameter_file(source).text
             tables = toml_tree(parameters, source)
         vary = {**record.vary, **_files(path, record)}
@@ -278,8 +278,8 @@ def _result(future: Any) -> list[StudyRow]:
         rows: list[StudyRow] = future.result()
     except (KilledWorker, CancelledError, OSError) as error:
         raise UnusableInput(
-            "the workers were lost ‹{}›; what is done is safe, and the same command"
-            " goes on with it.",
+            "the workers were lost ‹{}›; finished points are saved, and the same command"
+            " continues it.",
             repr(error),
         ) from error
     return rows

@@ -29,7 +29,7 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
         raise NotIdentifiable(
             say(
                 "the file was recorded without a prediction, or by a version that did not"
-                " ask for it"
+                " request it"
             )
         )
     state = reader.checkpoint()
@@ -41,14 +41,14 @@ def kept_of(reader: TestReader) -> tuple[Identifier, int]:
         left = msgspec.msgpack.decode(state, type=Checkpoint)
     except (UnusableInput, msgspec.DecodeError) as error:
         raise NotIdentifiable(
-            say("the twin has left nothing readable in the file ‹{}›", error)
+            say("the twin left nothing readable in the file ‹{}›", error)
         ) from error
     parameters = to_parameters(test.model)
     if left.identified is None:
         nobody = Identifier(parameters, IdentificationTarget())
         nobody.prior()
         nobody.errors()
-        raise NotIdentifiable(say("the twin did not ask for it"))
+        raise NotIdentifiable(say("the twin did not request it"))
     identifier = Identifier(parameters, left.identified.sought)
     twin = Twin(parameters, test.prediction.joint, identifier=identifier)
     restore(twin, state)

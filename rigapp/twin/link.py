@@ -121,7 +121,7 @@ class SkippedRevolutions:
         """Return which revolutions they are, as a sentence."""
         span = say("revolutions {} to {}", self.first, self.last) if self.count > 1 else ""
         return say(
-            "{}: {} not predicted, {}; their wear is made up for with the forces of later ones",
+            "{}: {} not predicted, {}; their wear is added with the forces of later ones",
             span or say("revolution {}", self.first),
             self.count,
             self.why,
@@ -218,12 +218,14 @@ class TwinLink:
             if self._stop.is_set():
                 return
             if self.given_up:
-                self._report(say("{}: nothing more is predicted in this test", self.last_failure))
+                self._report(
+                    say("{}: there will be no more predictions in this test", self.last_failure)
+                )
                 self._ready.set()
                 return
             self._report(
                 say(
-                    "{}, after revolution {}; it is started again and goes on from there",
+                    "{}, after revolution {}; it is started again and continues from there",
                     self.last_failure,
                     self._newest,
                 )
@@ -258,7 +260,7 @@ class TwinLink:
         setup = msgspec.structs.replace(self._setup, checkpoint=self._checkpoint)
         while not worker.send(setup):
             if self._stop.wait(SEND_PAUSE_S) or not worker.running or time.monotonic() > deadline:
-                self.last_failure = say("the twin did not come up within {:g} s", START_S)
+                self.last_failure = say("the twin did not start within {:g} s", START_S)
                 return False
         answer = self._answer(worker, START_S)
         if answer is None or answer.failed:
@@ -306,9 +308,9 @@ class TwinLink:
                 return self._heard(answer)
             if not worker.running:
                 reason = worker.last_words()
-                self.last_failure = say("the twin died")
+                self.last_failure = say("the twin stopped")
                 if reason:
-                    self.last_failure = say("the twin died ‹{}›", reason)
+                    self.last_failure = say("the twin stopped ‹{}›", reason)
                 return None
         self.last_failure = say("the twin did not answer within {:g} s", patience_s)
         return None

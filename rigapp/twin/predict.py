@@ -170,7 +170,7 @@ def unpack(message: RevolutionMeasured) -> MeasuredRevolution:
         raise PredictionError(say("its angles, times or forces are not all numbers"))
     forward = np.diff(np.maximum.accumulate(angle), prepend=-np.inf) > 0.0
     if np.count_nonzero(forward) < FEWEST_SAMPLES:
-        raise PredictionError(say("the crank did not turn forward in it"))
+        raise PredictionError(say("the crank did not turn forward"))
     um = 1e-6
     return MeasuredRevolution(
         revolution=message.revolution,
@@ -312,7 +312,7 @@ def elastic_motions(
     bushing = bushing_ahead(parameters, usual, motion.slip_increments(parameters.joint.pin_radius))
     approach = RIGID if bushing is None else bushing.upto(0.0)
     if approach is None:
-        raise PredictionError(say("the model cannot tell how far the force presses the pin in"))
+        raise PredictionError(say("the model has no indentation for this force"))
     lean = -float(np.arctan(parameters.joint.friction_coefficient))
     motions = []
     for force in seen:

@@ -77,7 +77,7 @@ SILENT_AFTER_S = 2.0  # snapshots come ten to twenty times a second
 LOST_AFTER_S = 5.0  # longer than a busy computer pauses an engine
 FIRST_SNAPSHOT_S = 10.0  # an engine that has just been started imports meanwhile
 RETRY_S = (0.5, 1.0, 2.0, 5.0)
-BROKEN: Text = say("The line to the engine broke.")
+BROKEN: Text = say("The connection to the engine was lost.")
 RELEASE_S = 1.0  # longest wait at the closing of the window
 
 
@@ -129,7 +129,7 @@ class EngineConnection:
         self._client: EngineClient | None = None
         self._discarded: list[EngineClient] = []
         self._state = ConnectionState.ATTACHING
-        self._reason: str = say("looking for the engine")
+        self._reason: str = say("searching for the engine")
         self._last_snapshot_at: float | None = None
         self._attached_at = 0.0
         self._attempts = 0
@@ -216,9 +216,7 @@ class EngineConnection:
             lambda error: handler(Reply(ok=False, sentence=error_text(error, BROKEN))),
         )
         if not accepted:
-            handler(
-                Reply(ok=False, sentence=say("Too many requests are still waiting for an answer."))
-            )
+            handler(Reply(ok=False, sentence=say("Too many requests are waiting for an answer.")))
 
     def close(self) -> None:
         """Detach; the engine goes on. A client still in use is left to the end of the process."""
@@ -272,10 +270,10 @@ class EngineConnection:
         if self._state in (ConnectionState.ATTACHED, ConnectionState.SILENT):
             silence = self.silence_s()
             if silence > LOST_AFTER_S:
-                self._lose(say("no word from the engine for {:.0f} s", silence), now)
+                self._lose(say("no message from the engine for {:.0f} s", silence), now)
             elif silence > SILENT_AFTER_S:
                 self._state = ConnectionState.SILENT
-                self._reason = say("no word from the engine")
+                self._reason = say("no message from the engine")
         elif now - self._attached_at > FIRST_SNAPSHOT_S:
             self._lose(say("the engine did not answer within {:.0f} s", FIRST_SNAPSHOT_S), now)
 

@@ -66,7 +66,7 @@ class NewestWear:
         word = tr(WEAR_MODELS[int(model)])
         if share >= ODDS * (1.0 - share):
             return word
-        return tr("not told, most likely {} ({:.0f} %)", word, 100.0 * share)
+        return tr("not identified, most likely {} ({:.0f} %)", word, 100.0 * share)
 
 
 _NAMES = (

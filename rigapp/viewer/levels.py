@@ -266,7 +266,10 @@ def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:
         most = getattr(limits, name)
         if level.quantity in limit.columns and level.value >= most:
             return tr(
-                "{value} can never come: the drive goes off at {most}. Type a value below that.",
+                (
+                    "{value} is never reached: the drive switches off at {most}. Type a value"
+                    " below that."
+                ),
                 value=f"{level.value:g} {limit.unit}",
                 most=f"{most:g} {limit.unit}",
             )

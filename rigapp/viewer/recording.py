@@ -251,7 +251,7 @@ def load_revolution(path: Path, revolution: int) -> StoredRevolution:
     with open_test(path) as test:
         saved = test.cycle_revolutions()
         if len(saved) == 0:
-            raise UnusableInput(tr("{}: no whole cycle is saved yet", path))
+            raise UnusableInput(tr("{}: no complete cycle is saved yet", path))
         return _unpacked(cycle_messages(test, int(np.argmin(np.abs(saved - revolution)))))
 
 

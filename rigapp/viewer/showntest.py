@@ -163,7 +163,7 @@ class ShownTest:
         """Read the saved cycle nearest to a revolution; the answer comes from ``deliver``."""
         path = self.path
         if path is None:
-            failed(FileNotFoundError(tr("There is no test, so no stored revolution either.")))
+            failed(FileNotFoundError(tr("There is no test, so there is no stored revolution.")))
         elif not self._worker.submit(lambda: self._revolution(path, revolution), done, failed):
             failed(RuntimeError(tr("The file is still being read; try again.")))
 

@@ -161,7 +161,7 @@ def test_a_record_in_another_unit_or_of_something_else_is_refused(folder: Path) 
         with_records(rig_with(folder, 'calibration = "other.json"'))
     slow = '[channels.a]\nsource = "drive.current_A"\ncalibration = "line.json"'
     text = (EXAMPLES / "simulated.toml").read_text("utf-8") + slow
-    with pytest.raises(UnusableInput, match=r"channels\.a\.calibration means nothing beside"):
+    with pytest.raises(UnusableInput, match=r"channels\.a\.calibration has no effect with"):
         parse_rig(text, "rig.toml")
 
 

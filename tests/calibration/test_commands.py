@@ -114,9 +114,9 @@ def test_bad_fit_is_refused_and_not_saved(folder: Path) -> None:
         ("1,2,8.0", "1,2,eight", "line 3: mass_kg 'eight' is not a number"),
         ("1,2,8.0", "1,2,", "line 3 has an empty field (mass_kg)"),
         ("1,2,8.0", "1,2,8,0", "line 3 has more fields than the header's 6: '"),
-        ("1,2,8.0", "1,2.5,8.0", "line 3: step '2.5' is not a whole number"),
-        ("1,2,8.0", "1,inf,8.0", "line 3: step 'inf' is not a whole number"),
-        ("1,2,8.0", "1,-2,8.0", "line 3: step '-2' is not a whole number from 0 on"),
+        ("1,2,8.0", "1,2.5,8.0", "line 3: step '2.5' is not an integer"),
+        ("1,2,8.0", "1,inf,8.0", "line 3: step 'inf' is not an integer"),
+        ("1,2,8.0", "1,-2,8.0", "line 3: step '-2' is not an integer from 0 on"),
         ("series,step", "series,series,step", "the header names column series twice"),
     ],
 )
@@ -152,7 +152,7 @@ def test_a_column_that_nothing_reads_is_a_note(folder: Path) -> None:
     path.write_text("\n".join([f"{first},remark", *(f"{line},calm" for line in rest)]))
     done = fit(folder, "record.json")
     assert done.returncode == 0
-    assert "note: The table has columns that are passed over: remark;" in done.stderr
+    assert "note: The table has columns that are ignored: remark;" in done.stderr
     text = probe_csv(0.001).replace("signal_V", "signal_V,other_signal_v").replace("\n1", ",0\n1")
     text = text.replace("\n2", ",0\n2").replace("\n3", ",0\n3").replace("v,0", "v") + ",0"
     made = probes(folder, text.replace("\n,0", ",0"))
@@ -264,7 +264,7 @@ def test_a_step_number_twice_is_refused(folder: Path) -> None:
     done = fit(folder, "record.json", "--json")
     assert done.returncode == 1
     problems = {one["code"]: one["sentence"] for one in json.loads(done.stdout)["problems"]}
-    assert "series 1, step 4 stands twice" in problems["duplicated_step"]
+    assert "series 1, step 4 occurs twice" in problems["duplicated_step"]
 
 
 def test_steps_out_of_order_are_refused_and_one_left_out_is_told(folder: Path) -> None:
@@ -273,7 +273,7 @@ def test_steps_out_of_order_are_refused_and_one_left_out_is_told(folder: Path) -
     path.write_text("\n".join([*lines[:2], *lines[10:12], *lines[2:10], *lines[12:]]))
     done = fit(folder, "record.json")
     assert done.returncode == 1
-    assert "The step numbers go back at series 1, step 2; write the readings in the" in done.stderr
+    assert "The step numbers decrease at series 1, step 2; write the readings in the" in done.stderr
     path.write_text("\n".join([*lines[:4], *lines[5:]]))
     done = fit(folder, "record.json")
     assert done.returncode == 0

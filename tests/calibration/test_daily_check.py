@@ -54,10 +54,10 @@ def entry(check: DailyCheck, number: int) -> dict:
     ("elements", "words"),
     [
         ((1.01, 0.0, 0.0, 0.99), "% of the force along axis"),
-        ((1.0, 0.01, 0.01, 1.0), "tells [+](1.0|0.9). % of the force along axis"),
-        ((1.0, 0.0, -0.02, 1.0), "axis 2 tells -(2.0|1.9)"),
-        ((1.0, 0.02, 0.0, 1.0), "axis 1 tells [+](2.0|1.9)"),
-        ((1.02, 0.0, 0.0, 1.0), "axis 1 tells [+](2.0|1.9). % of the force along axis 1 too much"),
+        ((1.0, 0.01, 0.01, 1.0), "reads [+](1.0|0.9). % of the force along axis"),
+        ((1.0, 0.0, -0.02, 1.0), "axis 2 reads -(2.0|1.9)"),
+        ((1.0, 0.02, 0.0, 1.0), "axis 1 reads [+](2.0|1.9)"),
+        ((1.02, 0.0, 0.0, 1.0), "axis 1 reads [+](2.0|1.9). % of the force along axis 1 too much"),
     ],
 )
 def test_changes_that_cancel_in_the_mean_are_judged(
@@ -113,7 +113,7 @@ def test_the_zero_is_judged(tmp_path: Path) -> None:
     assert checked(zero_N=(3.0, -3.5)).passed
     check = checked(zero_N=(0.5, -9.0))
     assert not check.passed
-    assert "The zero of axis 2 stands -" in check.sentence
+    assert "The zero of axis 2 is -" in check.sentence
     store = tmp_path / "daily-checks.jsonl"
     append_check(store, entry(check, 1))
     found = read_history(store)
@@ -133,7 +133,7 @@ def test_u_of_the_check_is_taken_off_what_is_allowed() -> None:
     assert f"passed up to {check.allowed - along:.2f} N along" in check.rule
     assert check.largest < check.allowed
     assert not check.passed
-    assert "leaves it open" in check.sentence
+    assert "too large to decide" in check.sentence
     simple = checked(off, guarded=False)
     assert simple.passed
     assert "simple acceptance (JCGM 106)" in simple.rule

@@ -264,7 +264,7 @@ def test_procedure_is_taken_up_from_its_events_after_every_one() -> None:
 
 def test_rejected_series_is_mounted_and_taken_again() -> None:
     whole = calibration(honest, (1, 2), runs=1, positions=5)
-    with pytest.raises(ProcedureError, match="with a reason"):
+    with pytest.raises(ProcedureError, match="needs a reason"):
         whole.reject(0, " ")
     again = whole.reject(2, "bumped into\nthe table")
     assert again.step.kind is StepKind.SET_UP
@@ -273,11 +273,11 @@ def test_rejected_series_is_mounted_and_taken_again() -> None:
     assert again.taken[2].rejected == "bumped into the table"
     assert again.taken[3].rejected == "series repeated: bumped into the table"
     assert len(probe_readings(again, 1).position) == 0
-    with pytest.raises(ProcedureError, match=r"setting up, not reading: .*before probe 1"):
+    with pytest.raises(ProcedureError, match=r"setting up, not reading: .*in front of probe 1"):
         again.record((0.0, 0.0), 0.0, 1.0)
     again = again.set_up()
     again = again.record((0.0, 0.0), 0.0, 1.0)
-    with pytest.raises(ProcedureError, match=r"series 1\.1 is under way"):
+    with pytest.raises(ProcedureError, match=r"series 1\.1 is not finished"):
         again.reject(len(whole.taken) - 1, "too")
     while not again.done:
         again = again.record((0.0, 0.0), 0.0, 1.0)

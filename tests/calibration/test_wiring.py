@@ -99,7 +99,7 @@ def test_a_record_that_names_no_cell_blocks_where_the_rig_names_one(
     ("change", "words"),
     [
         (lambda one: one.pop("readings_csv"), "holds no readings"),
-        (lambda one: one.update(readings_csv="new form"), "by this version"),
+        (lambda one: one.update(readings_csv="new form"), "This version cannot fit"),
         (lambda one: one.update(evaluation=99), "made by evaluation 99"),
         (lambda one: one.update(evaluation="newest"), "made by evaluation 'newest'"),
         (lambda one: one.update(evaluation=-1), "made by evaluation -1"),

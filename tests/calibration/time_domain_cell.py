@@ -4,7 +4,7 @@ Written from the physics alone: it imports nothing of the program. Pieces hang f
 turned in the vertical plane; each bridge answers a component of the force in the pin's frame. The
 memory of the metal is a row of play operators (Prandtl and Ishlinskii), creep relaxes with two time
 constants, the amplifier warms up, the pin outboard of the gauges weighs something, and the load is
-introduced by an adapter that is another one in use. Whatever a mass is said to be, the cell feels
+introduced by an adapter that is another one in use. Whatever a mass is said to be, the cell reads
 what hangs.
 """
 

@@ -68,7 +68,7 @@ def listed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., list[doctor.Observa
         ("gsv8", "ME-Systeme GSV-8, firmware 1.56, serial number 20123456 (driver gsv8)"),
         ("roboclaw", "Basicmicro USB Roboclaw 2x30a, firmware v4.2.4, address 128"),
         ("dataq", "DATAQ Instruments DI-2108, firmware"),
-        ("cia402", "slcan CAN adapter, firmware 1013, nodes no heartbeat heard"),
+        ("cia402", "slcan CAN adapter, firmware 1013, nodes no heartbeat received"),
     ],
 )
 def test_a_named_port_is_asked(

@@ -202,7 +202,7 @@ def test_dead_engine_stops_the_spindle_by_the_drives_watchdog(
     test.process.send_signal(signal.SIGKILL)
     test.process.wait(10)
     until(lambda: state_of(simulation)["watchdog_tripped"], "the drive's watchdog fires")
-    until(lambda: abs(state_of(simulation)["speed_rpm"]) < 0.1, "the spindle stands")
+    until(lambda: abs(state_of(simulation)["speed_rpm"]) < 0.1, "the spindle is stationary")
 
 
 @pytest.mark.long

@@ -548,7 +548,7 @@ class MemoryRig:
 
     @property
     def is_stationary(self) -> bool:
-        """Tell whether the crank stands for good: no speed, and nothing that would turn it."""
+        """Tell whether the crank is stationary for good: no speed, nothing that would turn it."""
         return abs(self.crank.speed) < 1e-6 and (not self.crank.powered or self.crank.target == 0.0)
 
 

@@ -108,7 +108,7 @@ class Thermometer:
 
     def open(self) -> Identity:
         if self.lost:
-            raise DeviceLost(self.name, self.port, "nothing answers")
+            raise DeviceLost(self.name, self.port, "no answer")
         self.opened += 1
         return Identity("test", "thermometer", "1", "3", self.port)
 
@@ -314,7 +314,7 @@ def test_a_silent_thermometer_costs_its_values_and_nothing_else(
     assert np.isnan(values).all()
     assert (np.diff(ages) > 0.0).all(), "the age grows"
     shown = next(one for one in rig.engine.status().rig.devices if one.name == "climate")
-    assert (shown.connected, shown.last_error) == (False, "nothing answers")
+    assert (shown.connected, shown.last_error) == (False, "no answer")
     rig.thermometer.lost = False
     eventually(heard(rig.engine, "room_temperature"))
     eventually(lambda: key not in {one.key for one in rig.engine.status().alarms if one.active})
@@ -335,8 +335,8 @@ def test_a_missing_thermometer_is_noted_before_a_test_and_blocks_nothing() -> No
     rig.thermometer.lost = True
     rig.engine.connect()
     (check,) = checks_of(rig, "Device climate")
-    assert (check.verdict, check.sentence) == (CheckVerdict.ATTENTION, "nothing answers")
-    assert check.advice == "Check cable and power of memory, or go on without its channels"
+    assert (check.verdict, check.sentence) == (CheckVerdict.ATTENTION, "no answer")
+    assert check.advice == "Check cable and power of memory, or continue without its channels"
     ran(rig)
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.status == "complete"
@@ -451,7 +451,7 @@ def test_a_hanging_thermometer_does_not_hold_up_the_end(rig: ChannelRig) -> None
 def test_what_a_device_does_not_tell_is_refused_before_a_port_is_opened() -> None:
     for source, words in (
         ("climate.pressure_hPa", "there are temperature_C, humidity_percent"),
-        ("drive.torque_Nm", "tells current_A, supply_V, temperature_C"),
+        ("drive.torque_Nm", "reports current_A, supply_V, temperature_C"),
     ):
         rig = ChannelRig()
         rig.free = {"odd": ChannelSection(source=source)}

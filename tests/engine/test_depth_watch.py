@@ -60,7 +60,7 @@ def test_a_start_is_compared_with_the_last_test_of_the_specimen(last: float, now
     assert number == 8 + STAYS - 1
     assert f"is {now:.1f} um; in revolution 500 of bushing.h5 it was {last:.1f} um" in sentence
     assert "a probe was moved, or the specimen exchanged" in sentence
-    assert watch.remark.startswith("The wear depth is not to be trusted.")
+    assert watch.remark.startswith("The wear depth is not reliable.")
     assert told(DepthWatch(KnownDepth(last, 1.6)), [last + 1.0] * 40, 1.1) == []
 
 
@@ -108,5 +108,5 @@ def test_a_depth_that_jumped_ends_no_test_and_is_remarked_at_its_end() -> None:
     rig.engine.shutdown(20.0)
     assert outcome is not None
     assert (outcome.status, outcome.revolutions) == ("complete", 600)
-    assert "The wear depth is not to be trusted" in outcome.sentence
+    assert "The wear depth is not reliable" in outcome.sentence
     assert "is 90.0 um" in outcome.sentence

@@ -1,4 +1,4 @@
-"""Whatever breaks, the spindle stands in the end, the file is finished, and a reason is given."""
+"""Whatever breaks, the spindle comes to rest, the file is finished, and a reason is given."""
 
 from __future__ import annotations
 
@@ -298,7 +298,7 @@ def test_a_silent_thread_ends_the_test(rig: MemoryRig, name: str) -> None:
 
     worker._step = hang
     try:
-        ended(rig, FinishReason.INTERNAL, name, "no sign of life")
+        ended(rig, FinishReason.INTERNAL, name, "sent no heartbeat")
         assert rig.is_stationary
     finally:
         release.set()
@@ -379,7 +379,7 @@ def test_a_drive_that_confirms_and_ignores_every_command_is_stopped_by_its_watch
     eventually(lambda: len(rig.store.rows) >= 5)
     rig.spindle.ignores = math.inf
     rig.engine.drive_off("Ada")
-    ended(rig, FinishReason.OPERATOR, "confirmed the power-off, but the crank turns on")
+    ended(rig, FinishReason.OPERATOR, "confirmed the power-off, but the crank still turns")
     assert rig.is_stationary
     assert rig.engine.state is RunState.FAULT
     rig.spindle.ignores = 0.0
@@ -398,7 +398,7 @@ def test_a_standstill_that_only_the_drive_reports_is_left_to_its_watchdog_and_to
         rig.spindle.ignores, rig.spindle.tells_ratio = math.inf, 0.0
     eventually(lambda: rig.engine.status().rig.data_age_s > 1.0)
     rig.engine.drive_off("Ada")
-    ended(rig, FinishReason.OPERATOR, "The stop could not be seen", "drive reports a standstill")
+    ended(rig, FinishReason.OPERATOR, "The stop cannot be confirmed", "drive reports a standstill")
     assert rig.engine.state is RunState.FAULT
     rig.source.silent = False
     eventually(lambda: rig.is_stationary)
@@ -518,7 +518,7 @@ def test_a_full_queue_of_a_real_rig_is_an_overrun_and_a_gap() -> None:
 
 def test_a_file_that_lost_its_name_is_told_while_the_test_goes_on(rig: MemoryRig) -> None:
     rig.store.path = Path("elsewhere.h5")
-    rig.store.looked_after = PathReport("t.h5 was moved; elsewhere.h5 is its name now.", saved=True)
+    rig.store.looked_after = PathReport("t.h5 was moved; elsewhere.h5 is its new name.", saved=True)
     eventually(lambda: "was moved" in cause_of(rig, "file_moved"))
     rig.store.looked_after = None
     lines = [one for one in rig.store.events if one.key == "file_moved"]

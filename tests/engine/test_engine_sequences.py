@@ -1,4 +1,4 @@
-"""Random commands and faults in any order: in the end the spindle stands and a reason is given."""
+"""Random commands and faults in any order: the spindle comes to rest, with a reason."""
 
 from __future__ import annotations
 

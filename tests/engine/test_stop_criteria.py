@@ -328,5 +328,5 @@ def test_time_counts_over_an_interruption(rig: MemoryRig) -> None:
     assert rig.engine.outcome is not None
     assert rig.engine.outcome.status == "complete"
     rig.opened = opened()
-    with pytest.raises(UnusableInput, match="nothing is left to do"):
+    with pytest.raises(UnusableInput, match="no revolution is left to do"):
         rig.start(with_stop(running_time_h=6.5 / 60.0 / 120.0), resume=True)

@@ -321,7 +321,7 @@ def test_the_plan_counts_what_triggers_keep() -> None:
 
 @pytest.mark.long
 def test_samples_beyond_a_part_are_not_those_of_the_part(rig: MemoryRig, tmp_path: Path) -> None:
-    """The part ends where the crank stands, not where the memory behind it ends."""
+    """The part ends where the crank is stationary, not where the memory behind it ends."""
     path = tmp_path / "test.h5"
     rig.engine.connect()
     rig.engine.start(document(500), path)

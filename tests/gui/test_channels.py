@@ -132,7 +132,7 @@ def test_a_plot_without_data_says_what_it_waits_for_and_shows_no_axes(
     assert curves.plot.instead == overlay.plot.instead == ""
     assert overlay.plot.getPlotItem().isVisible()
     assert overlay.residual_plot.instead == "No prediction yet: measured − model is drawn here."
-    assert wear.plot.instead == "No value yet of Wear depth, which the model beside the test tells."
+    assert wear.plot.instead == "No value of Wear depth yet; it is computed by the model."
 
 
 def test_a_free_channel_is_drawn_in_the_trend_and_against_the_angle(

@@ -180,13 +180,13 @@ def test_taking_over_names_who_loses_command_and_begins_with_the_harmless_answer
     assert other.focusWidget() is bar.cancel
     qtbot.keyClick(bar.cancel, Qt.Key.Key_Escape)
     assert not bar.confirm.isVisible()
-    assert engine.log == ["Ann: took command"]
+    assert engine.log == ["Ann: took control"]
     bar.dress(DARK)
     qtbot.keyClick(other, Qt.Key.Key_F2)
     bar.confirm.click()
     until(lambda: "You have control" in other.controls.command_line.text.text())
     until(lambda: one.viewer_bar.isVisible())
-    assert engine.log[-1] == "Ann: took command by force from Ann"
+    assert engine.log[-1] == "Ann: took control by force from Ann"
 
 
 def test_a_window_that_closes_gives_command_back(

@@ -116,7 +116,7 @@ def test_running_in_and_a_change_are_words_in_the_tile(stated: Any) -> None:
     for model, share, words in (
         (1.0, 0.97, "running-in"),
         (2.0, 0.97, "change"),
-        (2.0, 0.9, "not told, most likely change (90 %)"),
+        (2.0, 0.9, "not identified, most likely change (90 %)"),
     ):
         data = LiveData()
         data.take(stated(wear_model=model, wear_model_weight=share))
@@ -174,7 +174,7 @@ def test_the_panel_draws_bands_and_course_and_asks_again_only_for_news(
 def test_a_refusal_is_told_in_words(
     qtbot: Any, qapp: Any, make_snapshot: Any, worker: TaskWorker
 ) -> None:
-    sentence = "The wear coefficient cannot be told, because the probes have no record."
+    sentence = "The wear coefficient cannot be determined, because the probes have no record."
 
     def run(arguments: list[str]) -> str:
         assert arguments == ["a.h5", "--json", "--after", "50"]

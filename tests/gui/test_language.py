@@ -136,7 +136,7 @@ def test_the_alarms_of_the_engine_are_said_with_their_values(qapp: Any) -> None:
     assert translate(limit.title) == "force_max über der Grenze"
     assert translate(limit.sentence) == "force_max ist 96.2, über der Grenze (Warnung) von 95."
     more = say(" and {} more", 2)
-    asked = say('Acknowledge "{}"{}: say that you have seen it.', overload.title, more)
+    asked = say('Acknowledge "{}"{}: confirm that you have seen it.', overload.title, more)
     assert translate(asked).startswith("„Überlast“ und 2 weitere quittieren")
     assert translate("Nobody knows this sentence.") == "Nobody knows this sentence."
     assert [

@@ -100,7 +100,7 @@ def test_what_answers_is_chosen_and_the_files_are_written_once(
     assert (drive.box.driver.name, drive.box.port) == ("roboclaw", plugged_in["roboclaw"])
     assert "serial number 20123456" in daq.who.text()
     drive.port.setEditText(str(tmp_path / "ttyUSB0"))
-    assert drive.who.text() == "FT232R: not asked, it is no USB device itself"
+    assert drive.who.text() == "FT232R: not queried, it is not a USB device itself"
     drive.port.setEditText(plugged_in["gsv8"])
     assert drive.who.text().startswith("✗ Another device answers there: ")
     drive.port.setEditText("")
@@ -121,7 +121,7 @@ def test_what_answers_is_chosen_and_the_files_are_written_once(
     assert launched == [(["gui", "--rig", str(folder / "rig.toml")], folder)]
     page.make.click()
     work()
-    assert "already; nothing is written" in page.outcome.text()
+    assert "already; nothing was written" in page.outcome.text()
     assert page.open.isHidden()
 
 

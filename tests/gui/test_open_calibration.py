@@ -159,7 +159,7 @@ def test_a_killed_window_leaves_it_until_somebody_ends_it(
         notice, asked = one.window.notice, one.window.guide.end_bar
         one.click(notice.end)
         assert "load cell, by Ada" in asked.text.text()
-        assert "Look at the pin" in asked.text.text()
+        assert "Check the pin" in asked.text.text()
         assert asked.keep.hasFocus() or not one.window.isActiveWindow()
         one.click(asked.keep)
         assert asked.isHidden()

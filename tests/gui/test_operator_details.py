@@ -103,7 +103,7 @@ def test_stop_is_never_grey_and_says_when_nothing_runs(
         lambda: bool(window.tick() or "Nothing" in window.controls.answer.whole),
         timeout=PATIENCE_MS,
     )
-    assert window.controls.answer.whole == "Nothing is running: there is nothing to stop."
+    assert window.controls.answer.whole == "Nothing is running, so there is nothing to stop."
     assert engine.verbs == ["stop"]  # a test may have begun since
 
 

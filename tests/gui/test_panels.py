@@ -86,7 +86,7 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
     daq = DeviceView("daq", "gsv8", "COM3", True, "GSV-8", 960.0, 12, 3, "", counters)
     card = show(daq)
     assert card.chip.text() == "✓ Good"
-    assert card.link.text() == "good now; 12 samples lost, 3 errors before, 960 samples/s"
+    assert card.link.text() == "no errors now; 12 samples lost, 3 errors before, 960 samples/s"
     assert card.warnings.text() == "no warning"
     assert card.details.isHidden()
     card.more.click()
@@ -101,7 +101,7 @@ def test_a_device_card_tells_link_and_warnings_apart_and_counts_under_details(
     assert "disturbed: 8 samples lost, 0 errors in the last minute" in card.link.text()
     now[0] = 80.0
     card = show(msgspec.structs.replace(daq, lost_samples=20, advice="Its fan stands still"))
-    assert card.link.text().startswith("good now")
+    assert card.link.text().startswith("no errors now")
     assert card.chip.text() == "▲ Attention"
     assert card.warnings.text() == "Its fan stands still"
     error = "no reply within 0.5 s"
@@ -245,7 +245,7 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     assert panel.value.text() == "21377"
     panel.reason.setText("the joint is still good")
     panel.value.setText("30000.5")
-    assert "not a whole number" in panel.problem.text()
+    assert "not an integer" in panel.problem.text()
     panel.value.setText("30000")
     panel.change.click()
     assert asked[-1] == ("extend", {"revolutions": 30_000, "reason": "the joint is still good"})
@@ -445,7 +445,7 @@ def test_a_new_engine_in_the_middle_of_a_test_is_told_until_understood(
     bar.take_status(make_status(committed=1233))
     bar.take_status(make_status(state=RunState.READY, engine_pid=5000, file="", test=""))
     bar.take_status(make_status(state=RunState.READY, engine_pid=5000, file="", test=""))
-    assert "1\u202f233 revolutions are safe" in bar.text.text()
+    assert "1\u202f233 revolutions are saved" in bar.text.text()
     bar.away.click()
     assert bar.text.text().startswith("Ready:")
     assert bar.away.isHidden()

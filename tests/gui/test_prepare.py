@@ -99,7 +99,7 @@ def test_a_change_is_named_before_it_is_saved(panel: RecipePanel) -> None:
 @pytest.mark.parametrize(
     ("path", "text", "sentence"),
     [
-        ("run.revolutions", "many", "Revolutions must be a whole number"),
+        ("run.revolutions", "many", "Revolutions must be an integer"),
         ("run.revolutions", "0", "outside 1 to"),
         ("run.speed_rpm", "", "Speed is missing; type 0.1 to 3000 rpm"),
         ("limits.overspeed_rpm", "50", "“Overspeed” = 50 is not above “Speed” = 60"),
@@ -195,7 +195,7 @@ def test_a_limit_is_a_draft_until_it_is_added_and_a_sentence_then(
     assert draft is not None
     assert "Type the value" in draft.note.text()
     fill_in(draft, "3800")
-    assert "can never come: the drive goes off at 380 N" in draft.note.text()
+    assert "is never reached: the drive switches off at 380 N" in draft.note.text()
     assert not rules.keep.isEnabled()
     fill_in(draft, "95,5", revolutions="3")
     assert panel.test is not None

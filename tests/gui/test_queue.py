@@ -51,7 +51,7 @@ def test_a_queue_that_works_is_shown_and_can_be_stopped(
     panel: QueuePanel, make_status: Any
 ) -> None:
     show(panel, make_status, FIVE, works=True)
-    assert "The queue works" in panel.summary.text()
+    assert "Queue running" in panel.summary.text()
     assert "2 to be done" in panel.summary.text()
     assert cells(panel, 0) == ["3", "done", "a.toml", "a.h5", FIVE[0].sentence]
     assert cells(panel, 1) == ["4", "running", "b.toml", "b.h5", ""]

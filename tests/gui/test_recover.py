@@ -37,7 +37,7 @@ CONNECT = Recovery(
     Remedy.CONNECT, "connect", LOST.action,
     (Remedy.CAUSE, Remedy.CONNECT, Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.RESUME), LOST.key,
 )  # fmt: skip
-RESUME = Recovery(Remedy.RESUME, "resume_file", "Go on with the test in a.h5.", (Remedy.RESUME,))
+RESUME = Recovery(Remedy.RESUME, "resume_file", "Resume the test in a.h5.", (Remedy.RESUME,))
 
 
 def test_the_panel_marks_the_next_step_and_asks_for_it(

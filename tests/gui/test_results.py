@@ -385,7 +385,7 @@ def test_the_window_begins_with_four_ways_and_the_last_tests(
     assert window.side.connecting.isVisible()
     assert window.side.connecting.title.whole == "Connected"
     page = window.tabs.panels["start"]
-    assert "simulated: nothing real turns" in page.rig.text()
+    assert "simulated: no real spindle turns" in page.rig.text()
     page.setFocus()
     with qtbot.waitActive(window, timeout=PATIENCE_MS):
         window.activateWindow()

@@ -46,7 +46,7 @@ def tripped() -> dict[str, Any]:
         1200,
         first_out=True,
     )
-    step = 'Acknowledge "Overload": say that you have seen it.'
+    step = 'Acknowledge "Overload": confirm that you have seen it.'
     left = (Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.RESUME)
     told = Recovery(Remedy.ACKNOWLEDGE, "acknowledge", step, left)
     return {

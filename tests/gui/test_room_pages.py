@@ -198,7 +198,7 @@ def alarms() -> tuple[Alarm, ...]:
 
 def tripped() -> dict[str, Any]:
     """Return what changes with a trip."""
-    step = 'Acknowledge "Overload": say that you have seen it.'
+    step = 'Acknowledge "Overload": confirm that you have seen it.'
     left = (Remedy.ACKNOWLEDGE, Remedy.RESET, Remedy.RESUME)
     told = Recovery(Remedy.ACKNOWLEDGE, "acknowledge", step, left)
     reason = alarms()[0].cause

@@ -96,7 +96,7 @@ def test_a_step_is_changed_added_moved_and_taken_out(panel: RecipePanel) -> None
 @pytest.mark.parametrize(
     ("field", "text", "said"),
     [
-        ("length", "2.5", "whole number"),
+        ("length", "2.5", "integer"),
         ("length", "0", "1 to"),
         ("speed_rpm", "fast", "number in place of 'fast'"),
         ("speed_rpm", "4000", "3000"),

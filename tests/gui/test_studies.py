@@ -63,7 +63,7 @@ def test_a_study_is_drawn_and_what_it_depends_on_is_said(opened: Opened, tmp_pat
     finished(tmp_path / "contact", problems={5: "the pin is too large"})
     panel = opened(tmp_path)
     assert panel.list.texts()[0][:3] == ["contact", "pressure", "64"]
-    assert panel.sentence.text().startswith("63 of 64 points have a result. Why")
+    assert panel.sentence.text().startswith("63 of 64 points have a result. The reasons")
     assert panel.failed.texts() == [["5", "the pin is too large"]]
     plot = panel.plot
     assert plot.result.currentText() == "Largest contact pressure (MPa)"

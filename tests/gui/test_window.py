@@ -52,7 +52,7 @@ def test_the_header_tells_state_cycle_end_age_margin_agreement(
     assert window.side.live.values["age"].value.whole.endswith(" s")
     assert header.tiles["force"].value.whole.endswith(" N")
     # Without its test file no limit of the force is known; that of another quantity says nothing.
-    assert header.tiles["force"].detail.whole == "nothing judged yet"
+    assert header.tiles["force"].detail.whole == "not evaluated yet"
     assert header.margin.value() == 0
     assert " ± 1.1 µm" in header.tiles["wear"].value.whole
     assert header.tiles["agreement"].value.whole == "±1.7 N"

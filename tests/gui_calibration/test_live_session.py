@@ -298,8 +298,8 @@ def test_engine_that_refuses_is_said(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     session = begin(tmp_path / "c.journal", settings_file, simulated)
-    scripted.refuses = "A test is under way."
-    with pytest.raises(UnusableInput, match="A test is under way"):
+    scripted.refuses = "A test is running."
+    with pytest.raises(UnusableInput, match="A test is running"):
         Terminal(session, scripted.ask, lambda _: "", lambda _: None).run()
 
 

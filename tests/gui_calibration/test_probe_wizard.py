@@ -135,13 +135,13 @@ def test_whole_wizard_finds_both_probes_and_how_they_stand(
     qtbot.keyClick(wizard.button(COMMIT), Qt.Key.Key_Space)
     assert wizard.currentPage() is wizard.readings
     assert not wizard.button(NEXT).isEnabled()
-    assert "target before probe 1" in wizard.readings.instruction.text()
+    assert "target in front of probe 1" in wizard.readings.instruction.text()
     go_ahead(wizard)
     assert wizard.readings.table.rowCount() == 42
     qtbot.keyClick(wizard.button(NEXT), Qt.Key.Key_Space)
     judged(wizard, qtbot)
     assert wizard.result_page.verdict.text() == "✓ Accepted", wizard.result_page.problems.text()
-    assert "Probe 1 stands +1.50 degrees" in wizard.result_page.words.text()
+    assert "Probe 1 is +1.50 degrees" in wizard.result_page.words.text()
     qtbot.keyClick(wizard.button(NEXT), Qt.Key.Key_Space)
     assert wizard.currentPage() is wizard.certificate
     saved = wizard.live.outcome.saved
@@ -209,7 +209,7 @@ def test_typed_position_is_recorded_and_a_moving_one_is_not(
     assert not page.record.isEnabled()
     probes.shakes, probes.stands = 0.0, False
     live.tick()
-    assert "crank turns" in page.stability.why.text()
+    assert "Stop the crank" in page.stability.why.text()
     probes.stands = True
     probes.micrometers[0] = -790.0
     live.tick()
@@ -354,7 +354,7 @@ def test_foreign_journal_and_impossible_plan_are_refused(tmp_path: Path) -> None
     live.adopt(live.procedure.set_up())
     live.close()
     other = Rig("Another rig", False, "E. Sample")
-    with pytest.raises(UnusableInput, match="these readings come from the rig 'Scripted rig'"):
+    with pytest.raises(UnusableInput, match="these readings are from the rig 'Scripted rig'"):
         ProbeSession(ProbeFile(schema=1), other, tmp_path / "probe.journal", None)
     with pytest.raises(UnusableInput, match="choose 1, 2, both"):
         planned("3", "full", 11)

@@ -177,7 +177,7 @@ def test_a_wrong_piece_is_told_before_it_is_recorded(wizard: Any) -> None:
     go_ahead(wizard, lambda: loaded(wizard))
     live.tick()
     assert page.stability.word.text() == "WAIT"
-    assert page.stability.why.text() == "what hangs has not changed yet"
+    assert page.stability.why.text() == "the load has not changed yet"
     for mistake, word, why in ((1, "CHECK", "than should hang"), (0, "STEADY", "")):
         page.hands.mistake.setCurrentIndex(mistake)
         live.lend_a_hand()
@@ -202,7 +202,7 @@ def test_wrong_weight_is_refused_rejected_and_repeated(wizard: Any, qtbot: Any) 
     judged(wizard, qtbot)
     page = wizard.result_page
     assert page.verdict.text() == "✗ Refused"
-    assert "check the weights that hung there" in page.problems.text()
+    assert "check the weights of that step" in page.problems.text()
     assert page.target.isHidden()
     assert page.nextId() == -1
     wizard.back()
@@ -268,9 +268,9 @@ def test_angle_page_waits_for_the_encoder(wizard: Any, scripted: Any) -> None:
 
 def test_engine_that_refuses_is_said_on_the_page(wizard: Any, scripted: Any) -> None:
     wizard.next()
-    scripted.refuses = "A test is under way."
+    scripted.refuses = "A test is running."
     wizard.live.tick()
-    assert wizard.angle.problem.text() == "A test is under way."
+    assert wizard.angle.problem.text() == "A test is running."
     assert not wizard.button(COMMIT).isEnabled()
 
 

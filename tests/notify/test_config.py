@@ -28,7 +28,7 @@ DOCS = Path(__file__).parents[2] / "docs"
         ('url = "json://a"\nsilent_after_s = 1.0', "is outside 5 to 86400 s"),
         ('url = "json://a"\nevery_s = 5', "every_s is not a known key"),
         ('url = "json://a"\nname = "x\\u0007"', "control character"),
-        ('command = [" "]', "notify 1 command names no program"),
+        ('command = [" "]', "notify 1 the command names no program"),
         ('url = "json://a"\n[ping]\nurl = "ftp://hidden"', "ping.url begins neither with http://"),
         ('url = "json://a"\n[ping]\nurl = "http://a:hidden@b"', "ping.url holds a password"),
     ],

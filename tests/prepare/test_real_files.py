@@ -53,7 +53,7 @@ def test_a_box_that_answers_nowhere_leaves_its_port_open_and_says_so(
     assert "write its port at [devices.drive] in rig.toml" in said
     assert "[devices.daq]" not in said
     assert "NOT-FOUND" in read_rig(tmp_path / "rig" / "rig.toml").record.devices["drive"].port
-    with pytest.raises(UnusableInput, match=r"rig\.toml.* already; nothing is written"):
+    with pytest.raises(UnusableInput, match=r"rig\.toml.* already; nothing was written"):
         prepare_real_folder(tmp_path / "rig", ports)
 
 

@@ -55,7 +55,7 @@ def test_every_file_that_a_file_names_is_there(tmp_path: Path) -> None:
 def test_nothing_is_written_where_one_of_the_files_exists(tmp_path: Path, there: str) -> None:
     (tmp_path / there).parent.mkdir(exist_ok=True)
     (tmp_path / there).write_text("mine")
-    with pytest.raises(UnusableInput, match=f"{there} exists already; nothing is written"):
+    with pytest.raises(UnusableInput, match=f"{there} exists already; nothing was written"):
         start_folder(tmp_path)
     assert files_below(tmp_path) == {there: b"mine"}
 
@@ -79,7 +79,7 @@ def test_a_file_in_the_place_of_a_folder_is_named(tmp_path: Path, name: str) -> 
     place = tmp_path / name
     place.parent.mkdir(exist_ok=True)
     place.write_text("")
-    with pytest.raises(UnusableInput, match=f"{place}: is no folder"):
+    with pytest.raises(UnusableInput, match=f"{place}: is not a folder"):
         start_folder(tmp_path / "folder")
     assert set(files_below(tmp_path)) == {name}
 

@@ -124,7 +124,7 @@ def test_html_has_the_same_first_page(folder: Path) -> None:
     ("change", "words"),
     [
         (("{specimen}", "{operator}"), "names something else"),
-        (("logo.png", "../secret.png"), "is no file beside it"),
+        (("logo.png", "../secret.png"), "there is no such file beside it"),
         (("logo.png", "report.toml"), "neither PNG nor JPEG"),
         (("logo.png", "missing.png"), "missing.png"),
         (("customer", "custumer"), "custumer is not a known key"),

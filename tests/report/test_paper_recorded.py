@@ -123,7 +123,7 @@ def test_files_without_data_are_named(tmp_path: Path) -> None:
     plan = FilePlan(10, cycles=2, samples_per_cycle=10, events=16)
     with create_test(path, plan, metadata()) as writer:
         writer.finish("stopped", "operator", "Stopped at once.")
-    with pytest.raises(UnusableInput, match=r"empty\.h5: it holds no whole revolution"):
+    with pytest.raises(UnusableInput, match=r"empty\.h5: it holds no complete revolution"):
         list(recorded_chapters(path))
     with pytest.raises(UnusableInput, match="nowhere"):
         list(recorded_chapters(tmp_path / "nowhere.h5"))

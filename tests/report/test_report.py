@@ -177,7 +177,7 @@ def test_empty_test_says_so(quick_folder: Path, tmp_path: Path) -> None:
     found = html(path, tmp_path)
     assert found.value("Summary", "Revolutions") == "0 of 400 planned"
     assert found.text.count("No revolution is recorded") == 2
-    assert "No whole cycle is saved" in found.text
+    assert "No complete cycle is saved" in found.text
     assert found.images == []
     assert found.rows("Wear")[1][1:] == ["unknown"] * 3
     assert write_report(path, tmp_path / "report.pdf") == 0
@@ -194,7 +194,7 @@ def test_running_and_interrupted_tests(quick_folder: Path, tmp_path: Path) -> No
         assert found.value("Summary", "Status") == "Running while the report was made"
         assert found.value("File and versions", "SHA-256").startswith("not stated")
         assert "No prediction is recorded" in found.text
-        assert "Whole cycles, the only one" in found.text
+        assert "Complete cycles, the only one" in found.text
     found = html(path, tmp_path)
     assert found.value("Summary", "Status").startswith("Interrupted")
     assert found.value("Summary", "Ended") == "unknown, the test was not closed"
@@ -247,7 +247,7 @@ def test_unknown_flags_missing_values_and_odd_texts(quick_folder: Path, tmp_path
         writer.finish("fault", "other", "")
     found = html(path, tmp_path)
     rows = {row[0]: row[1] for row in found.rows("Quality of the data")}
-    assert rows["flags that this version does not know"] == "1"
+    assert rows["flags unknown to this version"] == "1"
     assert rows["an input at the end of its range"] == "1"
     assert found.rows("Wear")[1][1:] == ["unknown"] * 3
     assert found.rows("Wear")[2][1:3] == ["0.02", "1"]

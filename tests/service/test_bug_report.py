@@ -139,10 +139,10 @@ def test_what_cannot_be_written_or_is_not_there_is_refused(
 ) -> None:
     (tmp_path / "there.zip").write_text("mine")
     for words, arguments in (
-        ("nothing is overwritten", {"file": str(tmp_path / "there.zip")}),
+        ("is not overwritten", {"file": str(tmp_path / "there.zip")}),
         ("there is no device", {"file": str(tmp_path / "d.zip"), "devices": ["oil"]}),
         ("with the ending .zip", {"file": str(tmp_path / "d.toml")}),
-        ("by its whole path", {"file": "d.zip"}),
+        ("full path", {"file": "d.zip"}),
     ):
         reply = ask(host, "report_begin", **arguments)
         assert not reply.ok

@@ -74,7 +74,7 @@ def test_others_are_refused_by_name_but_may_make_the_rig_safe(desk: Desk) -> Non
 
 def test_command_is_given_back_and_taken_by_another(desk: Desk) -> None:
     desk.ask("take_command", ADA)
-    with pytest.raises(Refused, match="you do not control this rig, Ada is"):
+    with pytest.raises(Refused, match="you do not control this rig; Ada does"):
         desk.ask("release_command", BOB)
     desk.ask("release_command", ADA)
     assert desk.ask("take_command", BOB) == {"in_command": "Bob"}
@@ -89,7 +89,7 @@ def test_command_is_taken_over_only_by_force_and_that_is_recorded(desk: Desk) ->
         with pytest.raises(Refused, match="Ada has control"):
             desk.ask("take_command", BOB, **harmless)
     desk.ask("take_command", BOB, force=True)
-    assert desk.log[-1] == ("took command by force from Ada", "Bob", "Ada", "Bob")
+    assert desk.log[-1] == ("took control by force from Ada", "Bob", "Ada", "Bob")
     assert desk.ask("present", ADA) == {"in_command": False}
     with pytest.raises(Refused, match="Bob has control"):
         desk.ask("start", ADA)
@@ -108,7 +108,7 @@ def test_command_is_free_when_its_holder_is_gone(desk: Desk) -> None:
     desk.pass_time(1)
     assert desk.command.holder == ""
     assert desk.log[-1][1:] == ("engine", "Ada", "")
-    assert "nothing was heard of Ada" in desk.log[-1][0]
+    assert "no message from Ada" in desk.log[-1][0]
     assert desk.ask("start", BOB) == "done"
 
 

@@ -223,9 +223,7 @@ def test_what_hangs_at_the_end_is_left_after_some_time_or_when_asked_again(folde
             process.send_signal(number)
         out, complaint = process.communicate(timeout=PATIENCE_S)
         assert (process.returncode, out) == (1, "given up\n")
-        assert (
-            complaint == "rigapp: what was still open could not be closed in time and was left.\n"
-        )
+        assert complaint == "rigapp: what was still open was not closed in time.\n"
 
 
 def test_closing_that_does_not_hang_is_left_alone() -> None:

@@ -85,7 +85,7 @@ def test_frozen_and_killed_viewer_costs_no_revolution(
         before, frozen_at = test.committed, time.monotonic()
         test.wait_for(
             lambda: time.monotonic() - frozen_at > 5.0 and test.committed > before + 20,
-            "the test goes on beside a frozen viewer",
+            "the test continues beside a frozen viewer",
         )
         viewer.send_signal(signal.SIGCONT)
         shown = 0
@@ -129,7 +129,7 @@ def test_killed_and_stalled_twin_costs_no_revolution(
     (second,) = another()
     os.kill(second, signal.SIGSTOP)
     stalled_at = test.committed
-    test.wait_for(lambda: test.committed > stalled_at + 15, "the test goes on beside it")
+    test.wait_for(lambda: test.committed > stalled_at + 15, "the test continues beside it")
     planned = end_soon(RIG)
     end = test.end()
     assert end["reason"] == "complete", end

@@ -29,7 +29,7 @@ def test_deleted_and_moved_the_file_holds_every_revolution(
     out.unlink()
     test.wait_for(out.exists, "the deleted file is there again")
     before = test.committed
-    test.wait_for(lambda: test.committed >= before + 10, "the test goes on")
+    test.wait_for(lambda: test.committed >= before + 10, "the test continues")
     out.rename(folder / "moved.h5")
     test.wait_for(out.exists, "the moved file has its name again")
     planned = end_soon(RIG)

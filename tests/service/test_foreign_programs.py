@@ -165,7 +165,7 @@ def test_the_log_of_a_real_test_is_read_without_its_sentences(tests: dict[str, P
     change = alarm_change(raised[0])
     assert change is not None
     assert (change.what, raised[0].level) == ("raised", "warning")
-    assert change.consequence == "The test goes on."
+    assert change.consequence == "The test continues."
     assert any(rest_signals(one) is not None for one in events)
     with h5py.File(tests["compact"], "r") as file:
         texts = file["/entry/events/data"].asstr()[:]

@@ -160,7 +160,7 @@ def test_a_pipe_into_which_nobody_writes_is_refused_in_time(
     os.mkfifo(pipe)
     out = str(tmp_path / "out.h5")
     reply = client.request("start", {"test": str(pipe), "out": out}, 60.0)
-    assert "test.toml: is a pipe into which nobody wrote" in reply.sentence
+    assert "test.toml: is a pipe without data" in reply.sentence
     for device, words in (("/dev/zero", "is a device"), (str(tmp_path), "cannot be read")):
         reply = client.request("start", {"test": device, "out": out}, 60.0)
         assert words in reply.sentence

@@ -333,4 +333,4 @@ def test_none_can_begin_while_a_test_is_under_way(
     test = recipe(tmp_path, NEVER_OVER, twin=False)
     assert ada.request("start", {"test": str(test), "out": str(tmp_path / "t.h5")}).ok
     reply = ada.request("calibration_begin", {"what": "load cell"})
-    assert "A test is under way" in reply.sentence
+    assert "A test is running" in reply.sentence

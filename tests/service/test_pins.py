@@ -48,8 +48,8 @@ def test_a_pin_is_set_by_somebody_who_has_one(tmp_path: Path) -> None:
     file = tmp_path / "operators.toml"
     set_pin(file, "Ada", "2718", "")
     for name, pin, by_pin, why in (
-        ("Ben", "1234", "", "somebody who has one"),
-        ("Ben", "1234", "1234", "somebody who has one"),
+        ("Ben", "1234", "", "operator who has one"),
+        ("Ben", "1234", "1234", "operator who has one"),
         ("Ben", "123", "2718", "4 characters"),
         (" ", "1234", "2718", "name"),
     ):

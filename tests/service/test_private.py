@@ -86,7 +86,7 @@ def test_link_is_refused(folder: Path, tmp_path: Path) -> None:
 def test_folder_of_somebody_else_is_refused(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     runtime_folder()
     monkeypatch.setattr(os, "getuid", lambda: folder.stat().st_uid + 1)
-    with pytest.raises(UnusableInput, match="run: belongs to somebody else"):
+    with pytest.raises(UnusableInput, match="run: belongs to another user"):
         runtime_folder()
 
 

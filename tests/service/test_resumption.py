@@ -80,7 +80,7 @@ def test_the_same_rig_goes_on_and_the_time_between_is_told(past: Past, rig: RigF
     (first, *others) = remarks(found, "Ada", "")
     assert others == []
     assert first.who == "Ada"
-    assert "going on after 3.0 days; the test was interrupted" in first.text
+    assert "resuming after 3.0 days; the test was interrupted" in first.text
 
 
 def test_other_devices_and_another_encoder_refuse_even_with_a_reason(
@@ -254,7 +254,7 @@ def test_a_stopped_test_goes_on_with_its_own_bushing(
     assert host.engine.state is RunState.READY
     refused = ask(host, "resume_file", file=str(out))
     assert not refused.ok
-    assert "goes on only with a reason" in refused.sentence
+    assert "needs a reason because" in refused.sentence
     done = ask(host, "resume_file", file=str(out), reason="new certificate")
     assert done.ok, done.sentence
     assert host.engine._connection is not None

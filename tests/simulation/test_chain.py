@@ -119,7 +119,7 @@ def test_forces_and_pin_come_through_the_wire_with_sign_frame_and_angle(
         assert np.std(difference) < 1.6
         assert abs(np.mean(difference)) < 1.0
         assert np.ptp(told) > 30.0
-    # In tension the pin stands at -c along e2, further by the elastic approach (8 to 16 um here);
+    # In tension the pin is at -c along e2, further by the elastic approach (8 to 16 um here);
     # friction leans it, the run-out turns round it.
     position = 100.0 * values[2:4]
     assert np.mean(position[0]) == pytest.approx(-512.0, abs=4.0)

@@ -35,13 +35,13 @@ QUICK = {"ignores everything"}
 
 
 def is_stationary(simulated: SimulatedRig) -> bool:
-    """Tell whether the crank stands and nothing would turn it."""
+    """Tell whether the crank is stationary and nothing would turn it."""
     state = simulated.state()
     return abs(state["speed_rpm"]) < 0.01 and state["setpoint_rpm"] == 0.0
 
 
 def stands_since(simulated: SimulatedRig) -> float:
-    """Wait until the crank stands; return since when, which no turning point of a swing is."""
+    """Wait until the crank is stationary; return since when, no turning point of a swing."""
     since: float | None = None
 
     def long_enough() -> bool:

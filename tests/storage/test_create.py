@@ -130,7 +130,7 @@ def test_offsets_that_do_not_hold_stop_the_test_before_it_starts(
         return {**places, "/entry/revolutions/force_max": (offset + 8, length)}
 
     monkeypatch.setattr(create_module, "places_of", shifted)
-    with pytest.raises(UnusableInput, match="force_max row 0 is not where HDF5 says"):
+    with pytest.raises(UnusableInput, match="force_max row 0 is not where HDF5 reports"):
         new_test(quick_folder)
     assert names(quick_folder) == []
 

@@ -240,5 +240,5 @@ def test_what_cannot_be_saved_is_told_and_tried_again(quick_folder: Path, home: 
 def test_a_file_that_is_cut_short_is_told(quick_folder: Path) -> None:
     with begun(quick_folder / "results") as writer:
         os.ftruncate(writer._disk.fd, 100_000)
-        with pytest.raises(StorageFailed, match="cut the file short"):
+        with pytest.raises(StorageFailed, match="truncated the file"):
             writer.watch_path()

@@ -87,7 +87,7 @@ CHANGES: list[tuple[Callable[[h5py.File], None], str]] = [
     (cut_rows, "the revolutions: 100 rows were sealed, 90 are there"),
     (cut_log, "the log: 2 rows were sealed, 1 are there"),
     (other_setting, "the configuration: not as it was sealed"),
-    (other_sample, "the whole cycles: not as they were sealed"),
+    (other_sample, "the complete cycles: not as they were sealed"),
     (other_reason, "how the test ended: not as it was sealed"),
 ]
 

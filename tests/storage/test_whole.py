@@ -45,7 +45,7 @@ def test_whole_test_is_ended_once_without_a_gap(quick_folder: Path) -> None:
 def test_what_is_not_whole_or_not_interrupted_is_left_alone(quick_folder: Path) -> None:
     path = killed(quick_folder, PLAN.revolutions - 1)
     with open_test(path) as reader:
-        assert "resume goes on after them" in reader.summary()["reason"]
+        assert "resume continues after them" in reader.summary()["reason"]
     before = path.read_bytes()
     assert finish_whole_test(path) == 0
     assert path.read_bytes() == before

@@ -72,7 +72,7 @@ def test_repeats_differ_in_their_seed_alone() -> None:
         ({"a": Spread(-1.0, 1.0, scale="log")}, DesignSection(), "must be above 0 on a log scale"),
         ({"a": []}, DesignSection(), "the list is empty"),
         ({"a": Spread(0.0, float("nan"))}, DesignSection(), "must be below"),
-        ({}, DesignSection("sobol"), "vary names nothing"),
+        ({}, DesignSection("sobol"), "vary names no keys"),
         (
             {str(n): Spread(0.0, 1.0, levels=1000) for n in range(3)},
             DesignSection(),

@@ -110,7 +110,7 @@ def test_a_point_that_cannot_be_is_a_row_with_its_sentence(tmp_path: Path) -> No
         ('"run.force_N"', '"run.force"', "is not a known key"),
         ("force_N = 100.0", "force = 100.0", "force"),
         ("force_N = 100.0", "", "force_N is missing"),
-        ('parameters = "parameters.toml"', "", "parameters is missing"),
+        ('parameters = "parameters.toml"', "", "parameters are missing"),
         ('"parameters.toml"', '"none.toml"', "none.toml"),
         ("points = 64", "points = 0", "points"),
         ('kind = "sobol"', 'kind = "random"', "random"),

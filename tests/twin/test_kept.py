@@ -148,7 +148,7 @@ def test_a_file_whose_probes_have_no_record_is_refused_in_words(
 ) -> None:
     assert identify_tests([folder / "bare.h5"], None, as_json=False) == 1
     said = capsys.readouterr().out
-    assert "cannot be told, because the probes have no calibration record" in said
+    assert "cannot be determined, because the probes have no calibration record" in said
     assert identify_tests([folder / "bare.h5"], None, as_json=True) == 1
     tree = json.loads(capsys.readouterr().out)
     assert tree["tests"][0]["refused"] is True

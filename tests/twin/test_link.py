@@ -187,5 +187,5 @@ def test_a_model_that_no_twin_can_use_is_told_once(
         link.close()
     assert len(reports) == 1, reports
     assert "joint.bushing_outer_radius_mm = 1.0" in reports[0]
-    assert reports[0].endswith("nothing more is predicted in this test")
+    assert reports[0].endswith("there will be no more predictions in this test")
     assert capfd.readouterr().err == ""

@@ -201,8 +201,10 @@ def _no_table(points: Array, readings: int) -> Iterator[Problem]:
     if readings <= points.shape[1]:
         yield refusal(
             "no_repeats",
-            "Each reference was read once, which does not tell how well a reading"
-            " repeats; take a second series.",
+            (
+                "Each reference was read once, so the repeatability of a reading is not known;"
+                " take a second series."
+            ),
         )
 
 

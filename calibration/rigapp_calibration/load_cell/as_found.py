@@ -145,13 +145,16 @@ def as_found(kind: str, former: Record, new: Result) -> tuple[dict[str, Any], tu
     listed = joined("; ", (one.words for one in found))
     day = str(former.content["calibrated_at"])[:10]
     lines: list[str] = [
-        say("As found, the record {} of {} told too much: {}.", former.number, day, listed)
+        say("As found, the record {} of {} was too optimistic: {}.", former.number, day, listed)
     ]
     if any(one.beyond for one in found):
         lines.append(
             say(
-                "That is more than both records allow: find out what changed since {} before the"
-                " new record is used. What was measured meanwhile may be wrong by as much.",
+                (
+                    "That is more than both records allow: find out what changed since {} before"
+                    " the new record is used. Results measured since then may be wrong by as"
+                    " much."
+                ),
                 day,
             )
         )

@@ -159,7 +159,7 @@ def calibrate_load_cell(
         evidence = without_pin_weight(examine(readings, settings))
         fitted = fit_readings(readings, settings, evidence.found.sensitivity)
     except np.linalg.LinAlgError:
-        words = say("The loads do not tell the two axes apart; take more pin angles and loads.")
+        words = say("The loads do not separate the two axes; take more pin angles and loads.")
         return replace(refused, problems=(*problems, Problem("not_solvable", words)))
     problems += check_fit(evidence)
     full, found, parts = settings.cell.full_scale, fitted.fit, fitted.parts

@@ -273,8 +273,10 @@ def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
     if why:
         yield note(
             "creep_unusable",
-            "The readings of the creep are passed over, {}: the creep that the settings"
-            " state counts.",
+            (
+                "The readings of the creep are not used, {}: the creep stated in the settings is"
+                " used."
+            ),
             why,
         )
 

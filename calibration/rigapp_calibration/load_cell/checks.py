@@ -105,8 +105,10 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
     if len(reversed_axes) == 2:
         yield refusal(
             "axes_reversed",
-            "Both signals have the wrong sign: the pin stands half a turn off, or both"
-            " bridges are reversed; check the angle reference.",
+            (
+                "Both signals have the wrong sign: the pin is half a turn off, or both bridges"
+                " are reversed; check the angle reference."
+            ),
         )
     elif reversed_axes:
         other = say(". Or the pin angle counts the wrong way") if reversed_axes[0] == 1 else ""
@@ -128,16 +130,20 @@ def _turned(a: Array) -> Iterator[Problem]:
     if share > 20.0 or abs(turn) > BLOCKING_TURN:
         yield refusal(
             "angle_reference",
-            "Each signal sees up to {:.0f} % of the other axis, as if every pin angle"
-            " were {:.1f} degrees off; repeat the angle reference step.",
+            (
+                "Each signal shows up to {:.0f} % of the other axis, as if every pin angle were"
+                " {:.1f} degrees off; repeat the angle reference step."
+            ),
             share,
             abs(np.degrees(turn)),
         )
     elif abs(turn) > NOTED_TURN:
         yield note(
             "angle_reference",
-            "The axes stand as if every pin angle were {:.1f} degrees off. It can be"
-            " the cell's own cross-talk; only the angle reference step can tell.",
+            (
+                "The axes look as if every pin angle were {:.1f} degrees off. It can be the"
+                " cell's own cross-talk; only the angle reference step decides."
+            ),
             abs(np.degrees(turn)),
         )
 
@@ -173,8 +179,10 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
             index, axis = (int(one) for one in np.argwhere(at)[0])
             yield refusal(
                 "saturated",
-                "signal_{} stands still at {:g} from {} while the load grows: the input"
-                " is saturated; choose a larger range.",
+                (
+                    "signal_{} stays at {:g} from {} while the load grows: the input is"
+                    " saturated; choose a larger range."
+                ),
                 axis + 1,
                 signal[index, axis],
                 place_of(readings, index),

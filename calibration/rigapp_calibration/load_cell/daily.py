@@ -202,7 +202,7 @@ def _sentence(
 ) -> str:
     """Say whether the cell tells the weight, where not, and whether its zero stands."""
     words: str = say(
-        "The cell tells the weight within {:.2f} N ({:.2f} N are allowed).", largest, allowed
+        "The cell reads the weight within {:.2f} N ({:.2f} N are allowed).", largest, allowed
     )
     if turned:
         words = say(
@@ -217,9 +217,11 @@ def _sentence(
         off = elements - np.eye(2)
         row, of = divmod(int(np.abs(off).argmax()), 2)
         words = say(
-            "The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} tells {:+.2f} %"
-            " of the force along axis {}{}. Check the weight that hung; if it was"
-            " right, calibrate the load cell again.",
+            (
+                "The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} reads {:+.2f} % of"
+                " the force along axis {}{}. Check the weight; if it was right, calibrate the"
+                " load cell again."
+            ),
             largest,
             allowed,
             row + 1,
@@ -229,18 +231,20 @@ def _sentence(
         )
     elif not told:
         words = say(
-            "The cell tells the weight within {:.2f} N, {:.2f} N are allowed, but U of the check"
-            " leaves it open whether it is within. Repeat the check, with a heavier weight or a"
-            " better angle.",
+            (
+                "The cell reads the weight within {:.2f} N, {:.2f} N are allowed, but the"
+                " uncertainty of the check is too large to decide. Repeat the check, with a"
+                " heavier weight or a better angle."
+            ),
             largest,
             allowed,
         )
     axis = int(np.abs(zero).argmax())
     if not at_rest:
         words += say(
-            " The zero of axis {} stands {:+.2f} N off that of the calibration, {:.2f}"
+            " The zero of axis {} is {:+.2f} N off that of the calibration, {:.2f}"
             " N are allowed: was the cell overloaded, or is a cable off? Zero it; if it"
-            " moves again, have it looked after.",
+            " moves again, have it checked.",
             axis + 1,
             float(zero[axis]),
             zero_allowed,
@@ -329,8 +333,10 @@ def _promise(values: Array, promised: float, expanded: float | None) -> Iterator
         yield ChartFinding(
             "beyond_uncertainty",
             say(
-                "The last check is {:+.5f} off what the calibration says, more than its"
-                " uncertainty of {:.5f}: calibrate again.",
+                (
+                    "The last check is {:+.5f} off the calibration, more than its uncertainty of"
+                    " {:.5f}: calibrate again."
+                ),
                 values[-1] - promised,
                 expanded,
             ),
@@ -367,8 +373,10 @@ def _rules(z: Array) -> Iterator[ChartFinding]:
             yield ChartFinding(
                 code,
                 say(
-                    "{} of the last {} checks lie more than {:g} standard deviation{} {}"
-                    " the mean: something begins to change; watch it.",
+                    (
+                        "{} of the last {} checks lie more than {:g} standard deviation{} {} the"
+                        " mean: the cell may be changing; watch it."
+                    ),
                     count,
                     window,
                     bound,

@@ -320,8 +320,10 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
         )
         return refusal(
             "gain_changed",
-            "{}: {} {:.1f} % {} of the same load than before: the gain changed (range,"
-            " excitation, filter or cable?). Find out why, and take all series again.",
+            (
+                "{}: {} {:.1f} % {} of the same load than before: the gain changed (range,"
+                " excitation, filter or cable?). Find the cause, and take all series again."
+            ),
             since,
             who,
             abs(100.0 * size),

@@ -172,14 +172,14 @@ class LoadCellPlan:
             yield Step(StepKind.SET_UP, words, angle, handling=2.0 * HANDLING)
             for change, wait in preload * size.preloads:
                 words = say(
-                    "{} This only exercises the cell; nothing is read.", _change_words(change)
+                    "{} This only exercises the cell; no reading is taken.", _change_words(change)
                 )
                 yield Step(
                     StepKind.PRELOAD, words, angle, change.mass, change.hanging, wait=wait,
                     handling=_handling(change),
                 )  # fmt: skip
             for number, (change, falling) in enumerate(course, 1):
-                words = say("{} Wait until it hangs still.", _change_words(change))
+                words = say("{} Wait until it is still.", _change_words(change))
                 yield Step(
                     StepKind.READING, words, angle, change.mass, change.hanging, str(place + 1),
                     number, size.settle, _handling(change), falling,
@@ -199,8 +199,10 @@ class LoadCellPlan:
         yield step(
             StepKind.PRELOAD,
             say(
-                "Creep, from no load. {} Hang it without a pause, and go on as soon as it"
-                " hangs still: from then on the time counts.",
+                (
+                    "Creep, from no load. {} Hang it without a pause, and continue as soon as it"
+                    " is still: from then on the time counts."
+                ),
                 _change_words(change),
             ),
         )
@@ -228,16 +230,16 @@ def _degrees(angle: float) -> float:
 def _change_words(change: WeightChange) -> str:
     if not change.hanging:
         return (
-            say("Take all weights off.") if change.remove else say("Nothing may hang on the pin.")
+            say("Take all weights off.") if change.remove else say("The pin must carry no weight.")
         )
     off, on = (" + ".join(told_pieces(one)) for one in (change.remove, change.add))
     if not change.remove and not change.add:
-        return say("Change nothing: {:g} kg hang then.", change.mass)
+        return say("Change nothing: {:g} kg stay on the pin.", change.mass)
     if not change.add:
-        return say("Take off {}: {:g} kg hang then.", off, change.mass)
+        return say("Take off {}: {:g} kg are then on the pin.", off, change.mass)
     if not change.remove:
-        return say("Hang {}: {:g} kg hang then.", on, change.mass)
-    return say("Take off {} and hang {}: {:g} kg hang then.", off, on, change.mass)
+        return say("Hang {}: {:g} kg are then on the pin.", on, change.mass)
+    return say("Take off {} and hang {}: {:g} kg are then on the pin.", off, on, change.mass)
 
 
 # --- the journal ----------------------------------------------------------------------------------
@@ -332,7 +334,7 @@ def _first(window: LoadCellWindow) -> Judgement | None:
     if window.angle is None:
         return (
             SignalState.WAITING,
-            say("the angle is not known yet: turn the crank by hand once past the encoder's index"),
+            say("the angle is not known yet: turn the crank by hand past the encoder's index once"),
         )
     return None if window.stands else (SignalState.MOVING, say("the crank turns"))
 
@@ -341,14 +343,12 @@ def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
     """Judge where the pin stands, for a step at which nothing is read or where it stands wrong."""
     assert window.angle is not None
     if step.kind is StepKind.ANGLE_REFERENCE:
-        return SignalState.STEADY, say("the crank stands")
+        return SignalState.STEADY, say("the crank is stationary")
     wrong = wrong_angle(window.angle, step)
     if wrong:
         return SignalState.WAITING, wrong
     if step.kind is StepKind.SET_UP:
-        return SignalState.STEADY, say(
-            "the pin stands at {:.1f} degrees", math.degrees(window.angle)
-        )
+        return SignalState.STEADY, say("the pin is at {:.1f} degrees", math.degrees(window.angle))
     return None
 
 
@@ -358,7 +358,7 @@ def _hangs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | Non
         return None
     if window.force(signal) > FELT_SHARE * step.value * STANDARD_GRAVITY:
         return None
-    return SignalState.WAITING, say("the {:g} kg do not hang yet", step.value)
+    return SignalState.WAITING, say("the {:g} kg are not on the pin yet", step.value)
 
 
 def _plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:

@@ -105,8 +105,10 @@ def _impossible_masses(readings: LoadCellReadings, settings: LoadCellSettings) -
     elif 0.0 < heaviest < LIGHTEST_SHARE * limit:
         yield refusal(
             "mass_unit",
-            "The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be"
-            " told from so little; write kilograms, not tonnes.",
+            (
+                "The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: the masses are too"
+                " small for a calibration; write kilograms, not tonnes."
+            ),
             heaviest,
             limit,
         )
@@ -137,8 +139,10 @@ def _angles(readings: LoadCellReadings) -> Iterator[Problem]:
     if count < FEWEST_ANGLES:
         yield refusal(
             "too_few_angles",
-            "Only {} pin angle{}: the two axes cannot be told apart; take at least {},"
-            " evenly round the turn.",
+            (
+                "Only {} pin angle{}: the two axes cannot be separated; take at least {}, evenly"
+                " round the turn."
+            ),
             count,
             "s" if count > 1 else "",
             FEWEST_ANGLES,
@@ -204,8 +208,10 @@ def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
         more = say(" ({} more like it)", len(same) - 1) if len(same) > 1 else ""
         yield refusal(
             "duplicated_rows",
-            "The reading at {} stands twice in the table{}; remove what was pasted"
-            " twice. A second run has series of its own.",
+            (
+                "The reading at {} occurs twice in the table{}; remove the copy. A second run"
+                " needs its own series."
+            ),
             place_of(readings, same[0]),
             more,
         )

@@ -260,7 +260,7 @@ def _shifted(
         (1, "skipped_step", say("a step was skipped there: each reading belongs to the next load")),
         (
             -1, "repeated_step",
-            say("a step was taken twice there: each reading belongs to the last one"),
+            say("a step was repeated there: each reading belongs to the previous one"),
         ),
     ):  # fmt: skip
         run = [
@@ -349,7 +349,7 @@ def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
             place_of(readings, index),
         )
         + (say(" (and at {} more)", count - 1) if count > 1 else "")
-        + say(", whatever hangs there: is a cable or the slip ring loose?"),
+        + say(", of unknown cause: is a cable or the slip ring loose?"),
     )
 
 
@@ -363,8 +363,10 @@ def _wrong_weight(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
         felt = found.along[index] / evidence.newton_per_kg
         yield refusal(
             "wrong_weight",
-            "At {} the cell felt {:.2f} kg, but {:g} kg is written; check the weights"
-            " that hung there.",
+            (
+                "At {} the cell read {:.2f} kg, but {:g} kg is written; check the weights of"
+                " that step."
+            ),
             place_of(readings, int(index)),
             felt,
             readings.mass[index],

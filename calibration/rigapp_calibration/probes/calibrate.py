@@ -304,7 +304,7 @@ def calibrate_pair(
     if np.abs(alignment.angle).max() > LARGEST_ANGLE:
         worst = math.degrees(float(np.abs(alignment.angle).max()))
         problems.append(
-            refusal("crooked", "A probe stands {:.1f} degrees off its axis; mount it again.", worst)
+            refusal("crooked", "A probe is {:.1f} degrees off its axis; mount it again.", worst)
         )
     return PairCalibration((one, two), alignment, tuple(problems))
 

@@ -79,8 +79,10 @@ def _motion(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Proble
     if readings.other is not None and float(np.ptp(readings.other)) > max(3.0 * moved, least):
         yield refusal(
             "wrong_probe",
-            "The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands"
-            " before the wrong probe, or the two plugs are exchanged.",
+            (
+                "The other probe moved by {:.3f} V, this one by {:.3f} V: the target is in front"
+                " of the wrong probe, or the two plugs are exchanged."
+            ),
             np.ptp(readings.other),
             moved,
         )
@@ -223,8 +225,10 @@ def _systematic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
     if abs(offset) > limit:
         yield refusal(
             "backlash",
-            "Coming back reads {:+.2f} um against going out: approach every position"
-            " from one side.",
+            (
+                "Going back reads {:+.2f} um against going out: approach every position from one"
+                " side."
+            ),
             um * offset,
         )
     if abs(curve) > max(NONLINEAR * span, noise):
@@ -316,8 +320,10 @@ def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
         if after + 1 < len(um) and _swapped(um[before : after + 2], step):
             yield refusal(
                 "swapped_steps",
-                "At {} and the step after it each voltage belongs to the other one's"
-                " position: the two readings were exchanged.",
+                (
+                    "At {} and the step after it the voltages are exchanged: each belongs to the"
+                    " position of the other reading."
+                ),
                 place_of(readings, after),
             )
             return

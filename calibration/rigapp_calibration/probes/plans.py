@@ -74,9 +74,11 @@ class ProbePlan:
 
     def _steps(self, probe: int) -> Iterator[Step]:
         words: str = say(
-            "Put the micrometer's target before probe {}, at right angles to it, and"
-            " turn the micrometer until probe {} shows about 0 V: that is position 0."
-            " Nothing may move before the other probe.",
+            (
+                "Put the micrometer's target in front of probe {}, at right angles to it, and"
+                " turn the micrometer until probe {} shows about 0 V: that is position 0."
+                " Nothing may move in front of the other probe."
+            ),
             probe,
             probe,
         )
@@ -169,9 +171,7 @@ def assess_probe(window: ProbeWindow, step: Step, since: float, wait: float) -> 
         wait=wait,
         spread=window.range_volts * SPREAD_OF_RANGE * (0.25 + window.noise_share),
         slope=window.range_volts * SLOPE_OF_RANGE,
-        first=None
-        if window.stands
-        else (SignalState.MOVING, say("the crank turns; it must stand")),
+        first=None if window.stands else (SignalState.MOVING, say("Stop the crank first")),
         set_up=lambda found: _mounted(window, step, found),
         felt=lambda mean: float(window.sensitivity[probe] * (mean[probe] - window.offset[probe])),
         unsteady=say("still moving"),

@@ -142,7 +142,7 @@ class Procedure(Generic[PlanType]):
     def step(self) -> Step:
         """Return the step to do now; raise ProcedureError when all are done."""
         if self.done:
-            raise ProcedureError("every step of the plan has been taken")
+            raise ProcedureError("every step of the plan is done")
         return self.steps[self.position]
 
     @property
@@ -192,7 +192,9 @@ class Procedure(Generic[PlanType]):
 
     def _expect(self, kind: StepKind) -> Step:
         if self.step.kind is not kind:
-            raise ProcedureError("now comes {}, not {}: {}", self.step.kind, kind, self.step.words)
+            raise ProcedureError(
+                "the next step is {}, not {}: {}", self.step.kind, kind, self.step.words
+            )
         return self.step
 
     def reference(self, offset: float, uncertainty: float, shown: Sequence[float] = ()) -> Self:
@@ -290,7 +292,7 @@ class Procedure(Generic[PlanType]):
         """
         words = " ".join(reason.split())
         if not words:
-            raise ProcedureError("a reading is rejected with a reason; write one")
+            raise ProcedureError("rejecting a reading needs a reason; enter one")
         if not 0 <= index < len(self.taken):
             raise ProcedureError("there is no reading number {}", index + 1)
         first = self.taken[index]
@@ -299,7 +301,7 @@ class Procedure(Generic[PlanType]):
         series = self.steps[first.step].series
         if self.under_way not in (series, ""):
             raise ProcedureError(
-                "series {} is under way; finish it first, then reject and repeat series {}",
+                "series {} is not finished; finish it first, then reject and repeat series {}",
                 self.under_way,
                 series,
             )
@@ -406,7 +408,7 @@ def take_up(method: Method[PlanType], events: Iterable[Event]) -> Procedure[Plan
     for number, event in enumerate(events, 1):
         try:
             if (procedure is None) is not (event["event"] == "begin"):
-                raise ProcedureError("a journal starts with begin")
+                raise ProcedureError('a journal begins with the event "begin"')
             if procedure is None:
                 procedure = begin(method, method.plan(event))
             else:

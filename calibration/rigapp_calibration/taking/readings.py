@@ -72,8 +72,10 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
     if twice is not None:
         yield refusal(
             "duplicated_step",
-            "The step number of {} stands twice in its series at this place; give each"
-            " reading of a series a number of its own, in the order taken.",
+            (
+                "The step number of {} occurs twice in its series at this place; number each"
+                " reading of a series in the order taken."
+            ),
             place_of(readings, twice),
         )
         return
@@ -84,8 +86,10 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
         if backward is not None:
             yield refusal(
                 "unordered_steps",
-                "The step numbers go back at {}; write the readings in the order taken"
-                " (sorted as text, 11 stands before 2).",
+                (
+                    "The step numbers decrease at {}; write the readings in the order taken"
+                    " (sorted as text, 11 is before 2)."
+                ),
                 place_of(readings, backward),
             )
             return
@@ -138,7 +142,7 @@ def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
         names = joined(", ", unused)
         yield note(
             "unused_columns",
-            "The table has columns that are passed over: {}; is one of them misspelt?",
+            "The table has columns that are ignored: {}; is one of them misspelt?",
             names,
         )
 
@@ -232,7 +236,7 @@ def _step(line: int, row: Mapping[str, Any]) -> int:
         return int(step)
     except ValueError as error:
         raise ReadingsError(
-            "line {}: step {} is not a whole number from 0 on", line, repr(row["step"])
+            "line {}: step {} is not an integer from 0 on", line, repr(row["step"])
         ) from error
 
 

@@ -106,7 +106,7 @@ def judge(
     if not np.isfinite(values).all():
         reason = say("the signal is not a number")
     elif spread > spread_limit:
-        reason = say("swinging: wait until it hangs still")
+        reason = say("swinging: wait until the weight is still")
     elif np.abs(slopes).max() > slope_limit + 3.0 * slope_noise:
         reason = say("still changing")
     return Steadiness(reason == "steady", reason, mean, spread)

@@ -287,7 +287,7 @@ def _unusable(rolls: Sequence[Roll], orders: int) -> Iterator[Problem]:
         if count < FEWEST_REVOLUTIONS:
             yield refusal(
                 "too_few_revolutions",
-                "{}: only {} whole, undisturbed revolutions; take at least {}, better {}.",
+                "{}: only {} complete, undisturbed revolutions; take at least {}, better {}.",
                 roll.label,
                 count,
                 FEWEST_REVOLUTIONS,
@@ -376,8 +376,10 @@ def _judge(
         if size < 2.0 * combined[probe]:
             yield note(
                 "below_uncertainty",
-                "{}: the run-out is not larger than its uncertainty ({:.2f} um, u ="
-                " {:.2f} um); applying the map gains nothing.",
+                (
+                    "{}: the run-out is not larger than its uncertainty ({:.2f} um, u = {:.2f}"
+                    " um); there is no gain in applying the map."
+                ),
                 name,
                 um * size,
                 um * combined[probe],

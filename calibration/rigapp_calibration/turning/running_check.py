@@ -96,8 +96,10 @@ def running_check(runs: Sequence[SpeedRun], known: Known) -> RunningCheck:
         faults += (
             note(
                 "too_slow",
-                "At the fastest speed the known term is {:.2f} N, less than the"
-                " uncertainty of {:.2f} N: this tells little; run faster.",
+                (
+                    "At the fastest speed the known term is {:.2f} N, less than the uncertainty"
+                    " of {:.2f} N: this proves little; use a higher speed."
+                ),
                 abs(fast.known[0]),
                 fast.expanded,
             ),
@@ -186,9 +188,11 @@ def _sentence(accepted: bool, fast: Comparison, moment: float, expanded: float) 
     if not accepted:
         return say("The running check failed: the turning cell does not show the known inertia.")
     return say(
-        "The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N,"
-        " {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times"
-        " radius as {:.3f} kg mm, +- {:.3f}.",
+        (
+            "The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N"
+            " are known, the uncertainty is {:.2f} N. The cell gives mass times radius as {:.3f}"
+            " kg mm, +- {:.3f}."
+        ),
         rpm,
         fast.measured[0],
         fast.known[0],

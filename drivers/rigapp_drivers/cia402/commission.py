@@ -60,8 +60,8 @@ REQUIRED: Final[Mapping[Place, str]] = {
     (0x606C, 0): say("its speed"),
     (0x6064, 0): say("its position"),
     (0x60FF, 0): say("the speed to turn at"),
-    (0x1016, 1): say("the watch over this computer"),
-    (0x1017, 0): say("its sign of life"),
+    (0x1016, 1): say("the monitor of this computer"),
+    (0x1017, 0): say("its heartbeat"),
 }
 PROFILE_QUANTITIES: Final[Mapping[str, tuple[int, float, int]]] = {
     "current_A": (0x6078, 1e-6, 0x6075),
@@ -187,8 +187,8 @@ class Commissioning:
         else:
             self._advice.append(
                 say(
-                    "what it does when this computer is silent cannot be set: pull the cable at a"
-                    " low speed before the first test and watch ‹no object 6007›"
+                    "its reaction to a silent computer cannot be set: pull the cable at a"
+                    " low speed before the first test and check that it stops ‹no object 6007›"
                 )
             )
         return milliseconds * 1e-3
@@ -206,8 +206,10 @@ class Commissioning:
             if time.monotonic() > deadline:
                 raise ReplyTimeout.at(
                     node,
-                    "node {} tells no heartbeat as one that operates within {:g} s; its"
-                    " heartbeat cannot be supervised.",
+                    (
+                        "node {} reports no heartbeat of an operating device within {:g} s; its"
+                        " heartbeat cannot be supervised."
+                    ),
                     node.node_id,
                     _START_S,
                 )
@@ -248,9 +250,11 @@ class Commissioning:
         if step_rpm > _COARSE_RPM:
             self._advice.append(
                 say(
-                    "it takes speeds in whole steps of {:g} rpm of the crank, so that one"
-                    " below {:g} rpm may be more than {:.0%} beside what was asked for;"
-                    " choose a finer velocity_unit for those.",
+                    (
+                        "its speed commands are in steps of {:g} rpm of the crank, so a speed"
+                        " below {:g} rpm may be off by more than {:.0%}; choose a finer"
+                        " velocity_unit for such speeds."
+                    ),
                     step_rpm,
                     step_rpm / 2.0 / _ROUNDING,
                     _ROUNDING,
@@ -269,14 +273,14 @@ class Commissioning:
         if unit is None and not given:
             raise SettingRefused.at(
                 self._node,
-                "it does not tell in which unit it takes speeds; give velocity_step_rpm from"
+                "it does not report the unit of its speed commands; give velocity_step_rpm from"
                 " its manual ‹object 60A9 is {}, rpm is 00B44700›.",
                 say("not there") if raw is None else f"{raw:08X}",
             )
         if unit is not None and given and not math.isclose(unit, given, rel_tol=1e-6):
             raise SettingRefused.at(
                 self._node,
-                "it takes speeds in steps of {:g} rpm ‹object 60A9›, the rig file says"
+                "its speed commands are in steps of {:g} rpm ‹object 60A9›, the rig file says"
                 " velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed.",
                 unit * 60.0,
                 given * 60.0,
@@ -292,8 +296,8 @@ class Commissioning:
             lacking = joined(", ", (f"{index:04X}" for index in _RAMPS if index not in ramps))
             self._advice.append(
                 say(
-                    "it turns up or down along a ramp of its own, whatever the test file says;"
-                    " set that in the drive ‹no object {}›",
+                    "it ramps up or down by its own setting, not by the test file's;"
+                    " change the ramp in the drive ‹no object {}›",
                     lacking,
                 )
             )
@@ -320,7 +324,7 @@ class Commissioning:
             if not self._is_there(index, subindex):
                 raise SettingRefused.at(
                     self._node,
-                    "the drive cannot be used: it has nothing for {} ‹object {}:{}›.",
+                    "the drive cannot be used: it lacks {} ‹object {}:{}›.",
                     what,
                     f"{index:04X}",
                     subindex,

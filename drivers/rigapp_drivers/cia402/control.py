@@ -75,7 +75,7 @@ class DriveControl:
     def give_way(self) -> None:
         """Raise DeviceFault when another thread wants to stop."""
         if self._node.stop_requests != self._stop_requests:
-            raise DeviceFault.at(self._node, "a stop came before the speed was set.")
+            raise DeviceFault.at(self._node, "a stop arrived before the speed was set.")
 
     def _wait_to_leave(self, state: State | None) -> State | None:
         deadline = time.monotonic() + STEP_S
@@ -247,7 +247,9 @@ class Readings:
         limit_s = max(_HEARTBEATS_MISSED * period_s, _HEARTBEAT_LEAST_S)
         if not monitor.wait_for_heartbeat(limit_s, _CATCH_UP_S):
             age_s = monitor.heartbeat_age_s()
-            state = say("never came") if age_s is None else say("is missing for {:.2f} s", age_s)
+            state = (
+                say("never received") if age_s is None else say("is missing for {:.2f} s", age_s)
+            )
             return [say("the drive's heartbeat {}", state)]
         node_state = monitor.node_state
         if node_state not in (NodeState.OPERATIONAL, NodeState.BOOT_UP):
@@ -257,7 +259,7 @@ class Readings:
     def warnings(self, motion: AxisMotion) -> list[str]:
         """Return what the operator should know, in words."""
         warnings: list[str] = [
-            say("came and went: {}", e.words) for e in self._monitor.take_passed()
+            say("came and ended: {}", e.words) for e in self._monitor.take_passed()
         ]
         if motion.status_word & WARNING_BIT:
             warnings.append(say("the drive warns ‹bit 7 of the status word›"))

@@ -105,8 +105,8 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
         float,
         0.0,
         say(
-            "Step in which the drive takes speeds, in rpm of the motor, from its manual, where the"
-            " drive does not tell it (object 60A9); 0: as it tells."
+            "Step of the drive's speed commands, in rpm of the motor, from its manual, where"
+            " the drive does not report it (object 60A9); 0: as reported."
         ),
         0.0,
         1e3,
@@ -124,7 +124,7 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
         3,
         say(
             "Bits of object 3202:1 that are set while safe torque off is not active"
-            " (assumed); 0 does not look."
+            " (assumed); 0 does not check."
         ),
         0,
         255,
@@ -263,7 +263,7 @@ class Cia402Drive:
         if abs(steps) > _INT32:
             raise SettingRefused.at(
                 self,
-                "{:.1f} rpm is more than the drive can be told ‹object 60FF›.",
+                "{:.1f} rpm is above the largest speed command of the drive ‹object 60FF›.",
                 speed_rev_per_s * 60,
             )
         return steps

@@ -40,7 +40,7 @@ _MOST_ASKED: Final = 8
 _ABORT: Final = 0x80
 ABILITIES: Final[Mapping[tuple[int, int], str]] = {
     (0x6502, 0): say("profile velocity mode"),
-    (0x1016, 1): say("watch over this computer"),
+    (0x1016, 1): say("monitor of this computer"),
     (0x6007, 0): say("reaction to its silence"),
     (0x60A9, 0): say("unit of speeds"),
     (0x607F, 0): say("highest speed"),
@@ -131,7 +131,7 @@ def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -
 def node_words(nodes: Mapping[int, int]) -> str:
     """Return the nodes and their states in words."""
     if not nodes:
-        return say("no heartbeat heard")
+        return say("no heartbeat received")
     return joined(", ", (say("node {} ({})", node, _state(nodes[node])) for node in sorted(nodes)))
 
 

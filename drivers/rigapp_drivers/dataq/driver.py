@@ -189,8 +189,10 @@ class Dataq:
             )
         raise ConnectionFailed.at(
             self,
-            "nothing answers stop; check power and cable, and that the LED blinks"
-            " yellow (CDC mode).",
+            (
+                "no answer to stop; check power and cable, and that the LED blinks yellow (CDC"
+                " mode)."
+            ),
         )
 
     def _told_rate(self) -> str:
@@ -243,8 +245,10 @@ class Dataq:
         if self._master_clock != str(p.MASTER_CLOCK_HZ):
             advice.append(
                 say(
-                    "it says that its scan rates divide {} Hz, where {} Hz is known:"
-                    " compare its sample rate with a clock.",
+                    (
+                        "it reports that its scan rates divide {} Hz, where {} Hz is known:"
+                        " compare its sample rate with a clock."
+                    ),
                     self._master_clock,
                     p.MASTER_CLOCK_HZ,
                 )

@@ -197,9 +197,11 @@ def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, 
     """Return a bridge behind an external amplifier, in the smallest range that holds it."""
     if name not in gains:
         raise InvalidRequest(
-            "{} is declared as a bridge, and the {} has no bridge inputs; put a bridge"
-            " amplifier with a voltage output before it and tell its output in V for 1"
-            " mV/V as bridge_amplifiers = {{ {} = ... }}.",
+            (
+                "{} is declared as a bridge, and the {} has no bridge inputs; use a bridge"
+                " amplifier with a voltage output and state its output in V for 1 mV/V as"
+                " bridge_amplifiers = {{ {} = ... }}."
+            ),
             name,
             model.name,
             name,
@@ -269,9 +271,11 @@ def _steps(clock: Clock, rate_Hz: float, pulses: float, settings: Mapping[str, A
     highest = math.ceil(speed * pulses / rate_Hz) + _SPARE_STEPS
     if highest > p.COUNTER_SPAN // 4:
         raise InvalidRequest(
-            "at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step"
-            " by {} from scan to scan, too much to prove that no byte is lost; raise"
-            " sample_rate_Hz or lower maximum_speed_rpm.",
+            (
+                "at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step by {}"
+                " from scan to scan, too much to detect a lost byte; raise sample_rate_Hz or"
+                " lower maximum_speed_rpm."
+            ),
             rate_Hz,
             settings["maximum_speed_rpm"],
             highest,

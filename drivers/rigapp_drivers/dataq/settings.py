@@ -96,9 +96,7 @@ SETTINGS: Mapping[str, SettingSpec] = {
     "idle_check_s": SettingSpec(
         float,
         0.25,
-        say(
-            "Silence of an encoder-clocked stream after which the device is asked whether it lives."
-        ),
+        say("Silence of an encoder-clocked stream after which the device is queried."),
         0.2,
         3600.0,
     ),

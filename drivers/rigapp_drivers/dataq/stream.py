@@ -204,7 +204,7 @@ class Stream:
         self._running = False
         raise DeviceLost.at(
             self._link.port,
-            "it answers stop no more; switch it off and on and check the cable.",
+            "it no longer answers stop; switch it off and on and check the cable.",
         )
 
     def _keep(self, data: bytes) -> None:
@@ -251,9 +251,10 @@ class Stream:
         self._running = False
         raise SettingsLost.at(
             self._link.port,
-            "nothing came for {:.1f} s though it answers: it was probably reset (power,"
-            " USB) and has lost its settings and its count; connect it again and find"
-            " the index again.",
+            (
+                "no data for {:.1f} s though it answers: it was probably reset (power, USB) and"
+                " has lost its settings and its count; connect it again and find the index again."
+            ),
             silent_s,
         )
 
@@ -371,8 +372,10 @@ class Stream:
             turns = self._still[row] / self._plan.pulses_per_revolution
             if turns >= _STUCK_REVOLUTIONS and not any(name in f.inputs for f in self.tally.faults):
                 words = say(
-                    "{} has shown the very same value for {:.1f} turns; check its"
-                    " sensor, amplifier and cable",
+                    (
+                        "{} has shown the same value for {:.1f} turns; check its sensor,"
+                        " amplifier and cable"
+                    ),
                     name,
                     turns,
                 )

@@ -323,8 +323,10 @@ class Commissioner:
             if not _same(facts[key], value):
                 raise SettingRefused.at(
                     self._link.port,
-                    "{} is {} in the end, {} was asked for: another setting changed it;"
-                    " check the device with the maker's program.",
+                    (
+                        "{} is {} although {} was set: another setting changed it; check the"
+                        " device with the maker's program."
+                    ),
                     key,
                     facts[key],
                     value,

@@ -70,7 +70,7 @@ SETTINGS: Mapping[str, SettingSpec] = {
     "baud_rate": SettingSpec(
         int,
         115200,
-        say("Speed of a UART or RS-422 line; without meaning on USB."),
+        say("Speed of a UART or RS-422 line; not used on USB."),
         choices=BAUD_RATES,
     ),
     "command_checksum": SettingSpec(
@@ -134,7 +134,11 @@ SETTINGS: Mapping[str, SettingSpec] = {
         choices=("flag", "stop"),
     ),
     "poll_interval_s": SettingSpec(
-        float, 1.0, say("How often the device is asked for lost data while it streams."), 0.1, 60.0
+        float,
+        1.0,
+        say("How often the device is queried for lost data while it streams."),
+        0.1,
+        60.0,
     ),
     "reply_timeout_s": SettingSpec(
         float, 1.0, say("How long to wait for the answer to a command."), 0.05, 10.0
@@ -384,7 +388,7 @@ class Gsv8:
             )
         return ConnectionFailed.at(
             self,
-            "nothing answers; check power, cable and port and, on a UART, baud_rate ({}).",
+            "no answer; check power, cable and port and, on a UART, baud_rate ({}).",
             rate,
         )
 

@@ -131,7 +131,7 @@ class Link:
         only answers of another length came.
         """
         if not self._commanding.acquire(timeout=4.0 * tries * self.reply_timeout_s):
-            raise self._timeout(command, say("the command before it is not done"))
+            raise self._timeout(command, say("the previous command is not finished"))
         stray = False
         try:
             self._outwait_posted()
@@ -199,7 +199,7 @@ class Link:
                 runs = self.take()
                 if runs:
                     return runs[0].run
-        raise self._timeout(Command.GET_VALUE, say("no measured value came"))
+        raise self._timeout(Command.GET_VALUE, say("no measured value received"))
 
     def read(self, timeout_s: float) -> None:
         """Read the port once, unless another thread does it; wait timeout_s at most."""

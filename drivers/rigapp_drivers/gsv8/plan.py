@@ -82,7 +82,7 @@ def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
     """
     _check_rate(request.sample_rate_Hz)
     if not request.inputs:
-        raise InvalidRequest("no input is asked for; name at least one.")
+        raise InvalidRequest("no input is requested; name at least one.")
     data_type = _DATA_TYPES[settings["data_type"]]
     analog: dict[int, InputType] = {}
     counters: dict[int, CounterMode] = {}

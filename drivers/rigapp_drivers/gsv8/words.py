@@ -14,7 +14,7 @@ from rigapp_drivers.gsv8.protocol import Command
 STATUS_WORDS: dict[int, str] = {
     0x00: say("done"),
     0x01: say("done, and other parameters changed with it"),
-    0x40: say("the device does not know this command"),
+    0x40: say("unknown command for the device"),
     0x41: say("this device does not have this command"),
     0x42: say("the request ended wrongly"),
     0x43: say("the request arrived damaged"),
@@ -28,7 +28,7 @@ STATUS_WORDS: dict[int, str] = {
     0x57: say("the value is too big for the other settings"),
     0x58: say("the value is too small for the other settings"),
     0x59: say("this function of the parameter is not available"),
-    0x5A: say("the parameters came too late (more than 200 ms)"),
+    0x5A: say("the parameters arrived too late (more than 200 ms)"),
     0x5B: say("the number of parameters is wrong"),
     0x5C: say("the value does not fit the other settings"),
     0x5D: say("another function uses this hardware"),
@@ -64,7 +64,7 @@ def status_words(code: int) -> str:
     """Return what a status code means."""
     if 0xB0 <= code <= 0xB8:
         return say("the sensor's memory cannot be used ‹TEDS, status {}›", f"{code:02X}")
-    words = STATUS_WORDS.get(code, say("a status that this program does not know"))
+    words = STATUS_WORDS.get(code, say("a status unknown to this program"))
     return say("{} ‹status {}›", words, f"{code:02X}")
 
 

@@ -191,7 +191,7 @@ def check(request: SlowRequest) -> None:
     missing = [name for name in request.quantities if name not in known]
     if missing:
         raise InvalidRequest(
-            "the device does not tell {}; its settings give {}.",
+            "the device does not report {}; its settings give {}.",
             joined(", ", missing),
             joined(", ", known),
         )

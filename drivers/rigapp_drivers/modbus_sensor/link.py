@@ -95,7 +95,7 @@ def wrong_reply(data: bytes, request: bytes, function: int, count: int) -> Modbu
     reply = decode_reply(rest, request[0], function, count)
     if reply is not None and reply.wrong:
         return reply
-    return ModbusReply(wrong=say("an answer cut short ‹{} bytes›", len(rest)))
+    return ModbusReply(wrong=say("a truncated answer ‹{} bytes›", len(rest)))
 
 
 def decode_reply(data: bytes, device: int, function: int, count: int) -> ModbusReply | None:

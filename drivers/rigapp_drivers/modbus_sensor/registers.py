@@ -86,7 +86,7 @@ def registers_of(settings: Mapping[str, Any]) -> tuple[Register, ...]:
             raise InvalidRequest("registers, entry {}: {}.", number, error) from error
         if not (math.isfinite(register.scale) and register.scale != 0.0):
             raise InvalidRequest(
-                "registers, entry {}: scale = {:g} tells nothing.", number, register.scale
+                "registers, entry {}: scale = {:g} gives no value.", number, register.scale
             )
         registers.append(register)
     names = [register.quantity for register in registers]

@@ -171,7 +171,7 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
         return {
             "power_off_ramp": say("an unknown time"),
             "advice": say(
-                "This firmware does not tell how fast it takes the power off: watch it at"
+                "This firmware does not report how fast it removes the power: watch it at"
                 " the first stop."
             ),
         }
@@ -179,8 +179,10 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
     if ramp_s > _LONGEST_POWER_OFF_S:
         raise SettingRefused.at(
             link,
-            "taking the power off is a ramp of {:.2g} s; set the default duty"
-            " acceleration of motor {} to {} with the maker's tool.",
+            (
+                "switching the power off is a ramp of {:.2g} s; set the default duty"
+                " acceleration of motor {} to {} with the maker's tool."
+            ),
             ramp_s,
             motor,
             MAXIMUM_DUTY_ACCELERATION,
@@ -197,7 +199,7 @@ def _emergency_stop_input(link: Link) -> dict[str, str]:
         return {
             "input_S3": "unknown",
             "advice": say(
-                "The drive does not tell what its input S3 does: press the emergency stop"
+                "The function of the drive's input S3 is unknown: press the emergency stop"
                 " before the first test."
             ),
         }
@@ -207,7 +209,7 @@ def _emergency_stop_input(link: Link) -> dict[str, str]:
     return {
         "input_S3": say("mode {}", f"{mode:02X}"),
         "advice": say(
-            "Input S3 is not set to emergency stop: a button on it stops nothing. Set it"
+            "Input S3 is not set to emergency stop: a button on it has no effect. Set it"
             " with the maker's tool."
         ),
     }

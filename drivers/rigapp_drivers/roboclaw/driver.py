@@ -76,7 +76,8 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
         str,
         "auto",
         say(
-            'Read everything in one packet (command 73); "auto" asks the drive once whether it can.'
+            'Read everything in one packet (command 73); "auto" checks once whether the'
+            " drive supports it."
         ),
         choices=("auto", "never"),
     ),

@@ -240,7 +240,7 @@ class Link:
                     self._tell_repeated(reason)
                 return result
             quiet, cut = result.sentence.startswith("0 "), result.kind == "short"
-            said = say("an answer cut short ‹{}›", result.sentence) if cut else result.sentence
+            said = say("a truncated answer ‹{}›", result.sentence) if cut else result.sentence
             failures.append("" if quiet else said)
             because.add(_REPEATED_BECAUSE.get(result.kind, _NO_REPLY))
             self.crc_errors += result.kind == "crc"
@@ -280,7 +280,7 @@ class Link:
         self.late_bytes += len(self._serial.read_some(FLUSH_LIMIT, 0.0))
         with self._sending:
             if stop_requests not in (None, self.stop_requests):
-                raise DeviceFault.at(self, "a stop came before the speed was set.")
+                raise DeviceFault.at(self, "a stop arrived before the speed was set.")
             self._serial.write(packet)
         self.last_sent_ns = time.monotonic_ns()
 

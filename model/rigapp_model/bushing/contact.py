@@ -104,7 +104,7 @@ _REASONS = {
         " is not smooth"
     ),
     active_set.ONE_SIDED: say(
-        "no part of the bushing lies where the force points, so nothing can carry it"
+        "no bushing material lies in the direction of the force, so nothing can carry it"
     ),
 }
 _BEYOND_ARC = say("the contact reaches beyond the arc of nodes that may touch; lower the force")

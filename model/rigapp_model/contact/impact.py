@@ -256,8 +256,10 @@ def _check_duration(system: ClearanceSystem, duration: float) -> None:
             "speed",
             system.speed,
             say(
-                "in the {:g} s to integrate the contact would swing {:.1e} times, {:.0e} at most;"
-                " inertia is nothing at this speed: use the technique continuous",
+                (
+                    "in the {:g} s to integrate the contact would swing {:.1e} times, {:.0e} at"
+                    " most; at this speed inertia is negligible: use the technique continuous"
+                ),
                 duration,
                 swings,
                 MOST_SWINGS,

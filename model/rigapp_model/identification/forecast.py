@@ -306,8 +306,8 @@ def estimate_of(known: Identification, record: str) -> Estimate:
     if precision < LEAST_LEARNT * spread**-2:
         raise NotIdentifiable(
             say(
-                "the readings say hardly more of the wear coefficient than what was assumed"
-                " before the test: let it run longer"
+                "the readings add little to the wear coefficient that was assumed before the"
+                " test: let it run longer"
             )
         )
     alone = (mean * spread**-2 - np.log(known.prior.coefficient) * before) / precision
@@ -324,7 +324,7 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
     One specimen is enough: its scatter is then the usual one. Raises NotIdentifiable for none.
     """
     if not estimates:
-        raise NotIdentifiable(say("there is no test whose wear coefficient is known"))
+        raise NotIdentifiable(say("there is no test with a known wear coefficient"))
     y = np.array([estimate.log_coefficient for estimate in estimates])
     taus = np.linspace(0.0, REACH * USUAL_SCATTER, GRID)
     by = _by_scatter(y, _errors(estimates), taus)

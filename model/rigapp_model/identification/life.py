@@ -154,6 +154,6 @@ def weight(loads: CycleLoads, reference: CycleLoads) -> float:
     usual = float(reference.slip @ reference.magnitude)
     if usual <= 0.0:
         raise ModelError(
-            "reference", usual, say("nothing presses in the reference revolution"), "J"
+            "reference", usual, say("there is no contact force in the reference revolution"), "J"
         )
     return work / usual

@@ -34,8 +34,10 @@ def sentence(known: Identification, departure: Departure | None = None) -> str:
         text = say("{} The probes are disturbed, which the limits allow for: {}.", text, disturbed)
     if _may_swing(known):
         text = say(
-            "{} A slow swing of the probes, as by the room's temperature, cannot be excluded yet."
-            " The limits hold it; a channel room_temperature would tell it.",
+            (
+                "{} A slow drift of the probes, as by the room's temperature, cannot be excluded"
+                " yet. The limits include it; a channel room_temperature would separate it."
+            ),
             text,
         )
     return text
@@ -80,8 +82,10 @@ def _wear(known: Identification, departure: Departure | None) -> str:
     """Return how the joint wears, or why that is unknown, in plain words."""
     if departure is not None and not _explained(known, departure):
         return say(
-            "The joint wears {} than before: it was told at revolution {:.0f}, and"
-            " began about revolution {:.0f}.",
+            (
+                "The joint wears {} than before: detected at revolution {:.0f}, began about"
+                " revolution {:.0f}."
+            ),
             say("faster") if departure.faster else say("slower"),
             departure.revolution,
             departure.since,
@@ -93,21 +97,27 @@ def _wear(known: Identification, departure: Departure | None) -> str:
     if best.weight <= ODDS * constant.weight:
         if known.coefficient.high > TOO_WIDE * known.coefficient.low:
             return say(
-                "The wear coefficient cannot be told yet, because its limits are a"
-                " factor of {:.2g} apart: the depth so far, {:.2g} um, is too small"
-                " against its uncertainty.",
+                (
+                    "The wear coefficient cannot be determined yet. Its limits are a factor of"
+                    " {:.2g} apart: the depth so far, {:.2g} um, is too small against its"
+                    " uncertainty."
+                ),
                 known.coefficient.high / known.coefficient.low,
                 1e6 * known.readings.depth[-1],
             )
         return say(
-            "One wear coefficient, {}, explains all readings so far: neither running-in"
-            " nor a change is told from it at odds of 20 to 1.",
+            (
+                "One wear coefficient, {}, explains all readings so far. Neither running-in nor"
+                " a change is shown at odds of 20 to 1."
+            ),
             in_words(known.coefficient),
         )
     if best.weight <= ODDS * second.weight:
         return say(
-            "The wear coefficient is not constant. Whether the joint runs in or changed"
-            " at one time cannot be told, because the odds are {:.2g} to 1 only; {} now.",
+            (
+                "The wear coefficient is not constant. Running-in and a sudden change cannot be"
+                " distinguished, because the odds are {:.2g} to 1 only; {} now."
+            ),
             best.weight / second.weight,
             in_words(known.coefficient),
         )

@@ -117,13 +117,13 @@ def life(
             "exponent",
             law.exponent,
             say(
-                "how long an explicit step may be is known for wear in proportion to the"
-                " pressure only; take implicit steps"
+                "a limit for explicit steps is known only for wear proportional to pressure;"
+                " use implicit steps"
             ),
         )
     ring = ring_of(parameters.joint, parameters.bushing.material, contact=contact)
     if force is None and speed == 0.0:
-        raise ModelError("speed", speed, say("a crank that stands still wears nothing"), "rad/s")
+        raise ModelError("speed", speed, say("a stationary crank causes no wear"), "rad/s")
     tell = progress or (lambda part: None)
     source = (
         technique_of(technique).source(

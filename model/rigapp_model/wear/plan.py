@@ -101,7 +101,7 @@ def plan_life(
     """
     loads = loads_of(1 if single else 72).pressing()
     if not loads.slip.size:
-        raise ModelError("force", 0.0, say("without force or slip nothing wears"), "N")
+        raise ModelError("force", 0.0, say("without force or slip there is no wear"), "N")
     force = float(loads.magnitude.max())
     least = FAINTEST * ring.modulus * ring.inner * width
     if force < least:

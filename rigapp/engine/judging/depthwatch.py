@@ -82,7 +82,7 @@ class DepthWatch:
             yield self._unbelieved(make_alarm("wear_negative", depth_um=depth, doubt_um=doubt))
 
     def _unbelieved(self, cause: Cause) -> Cause:
-        self.remark = self.remark or say("The wear depth is not to be trusted. {}", cause.sentence)
+        self.remark = self.remark or say("The wear depth is not reliable. {}", cause.sentence)
         return cause
 
     def _differs(self, now: KnownDepth) -> Cause | None:

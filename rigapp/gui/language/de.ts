@@ -96,8 +96,8 @@
         <translation>, {} alt</translation>
     </message>
     <message>
-        <source>--revolutions: take at least 1; 12 are good</source>
-        <translation>--revolutions: mindestens 1 nehmen; 12 sind gut</translation>
+        <source>--revolutions: give at least 1; 12 are recommended</source>
+        <translation>--revolutions: mindestens 1 angeben; 12 sind empfohlen</translation>
     </message>
     <message>
         <source>1 change not part of {}</source>
@@ -116,7 +116,7 @@
         <translation>1, 2 in einem Diagramm</translation>
     </message>
     <message>
-        <source>A test is under way. It goes on without this window.</source>
+        <source>A test is running. It continues without this window.</source>
         <translation>Ein Versuch läuft. Er geht ohne dieses Fenster weiter.</translation>
     </message>
     <message>
@@ -148,8 +148,8 @@
         <translation>Grenze hinzufügen</translation>
     </message>
     <message>
-        <source>Add a limit that tells when the joint has changed</source>
-        <translation>Eine Grenze hinzufügen, die sagt, wann sich das Gelenk geändert hat</translation>
+        <source>Add a limit that warns when the joint changes</source>
+        <translation>Eine Grenze hinzufügen, die vor einer Änderung des Gelenks warnt</translation>
     </message>
     <message>
         <source>Add limit</source>
@@ -208,7 +208,7 @@
         <translation>Alle Messungen sind genommen. Das Ergebnis ansehen</translation>
     </message>
     <message>
-        <source>An overload would be seen too late, so the drive was switched off.</source>
+        <source>An overload would be detected too late, so the drive was switched off.</source>
         <translation>Eine Überlast würde zu spät bemerkt; der Antrieb wurde abgeschaltet.</translation>
     </message>
     <message>
@@ -272,7 +272,7 @@
         <translation>Vor dem Start</translation>
     </message>
     <message>
-        <source>Begin or take up</source>
+        <source>Begin or continue</source>
         <translation>Beginnen oder fortsetzen</translation>
     </message>
     <message>
@@ -308,7 +308,7 @@
         <translation>Kalibrieren…  F3</translation>
     </message>
     <message>
-        <source>Calibrating needs a running engine and no test under way.</source>
+        <source>Calibrating needs a running engine and no running test.</source>
         <translation>Zum Kalibrieren muss die Steuerung laufen und kein Versuch im Gang sein.</translation>
     </message>
     <message>
@@ -392,7 +392,7 @@
         <translation>Prüfen, ob es repariert ist, dann neu verbinden.</translation>
     </message>
     <message>
-        <source>Check that specimen and probes are those of before; if not, stop and begin a new test.</source>
+        <source>Check that specimen and probes are the same as before. If not, stop and begin a new test.</source>
         <translation>Prüfen, ob Probe und Wegsensoren noch die von vorher sind; sonst stoppen und einen neuen Versuch beginnen.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Kabel und Versorgung des Geräts prüfen; dann neu verbinden.</translation>
     </message>
     <message>
-        <source>Check the device that tells it, or go on without</source>
+        <source>Check the device that sends it, or continue without it</source>
         <translation>Das Gerät prüfen, das ihn meldet, oder ohne ihn fortfahren</translation>
     </message>
     <message>
@@ -444,7 +444,7 @@
         <translation>Schwergängigkeit der Mechanik, Stromgrenze und Einstellung des Antriebs prüfen.</translation>
     </message>
     <message>
-        <source>Check the probes and the specimen; stop the test, or let it go on.</source>
+        <source>Check the probes and the specimen. Stop the test, or let it continue.</source>
         <translation>Wegsensoren und Probe prüfen; den Versuch stoppen oder weiterlaufen lassen.</translation>
     </message>
     <message>
@@ -484,7 +484,7 @@
         <translation>Eine Studie auswählen</translation>
     </message>
     <message>
-        <source>Choose a study file; one that was interrupted goes on</source>
+        <source>Select a study file. An interrupted study continues</source>
         <translation>Eine Studiendatei auswählen; eine unterbrochene wird fortgesetzt</translation>
     </message>
     <message>
@@ -536,11 +536,11 @@
         <translation>Fenster schließen</translation>
     </message>
     <message>
-        <source>Close the window, the test goes on</source>
+        <source>Close the window, the test continues</source>
         <translation>Fenster schließen, der Versuch geht weiter</translation>
     </message>
     <message>
-        <source>Close, the test goes on</source>
+        <source>Close, the test continues</source>
         <translation>Schließen, Versuch geht weiter</translation>
     </message>
     <message>
@@ -652,8 +652,8 @@
         <translation>Tiefe (µm)</translation>
     </message>
     <message>
-        <source>Depths, and what of the bushing was seen</source>
-        <translation>Tiefen, und was von der Buchse gesehen wurde</translation>
+        <source>Depths, and which part of the bushing was reached</source>
+        <translation>Tiefen, und welcher Teil der Buchse erreicht wurde</translation>
     </message>
     <message>
         <source>Deviation</source>
@@ -824,7 +824,7 @@
         <translation>Jeder Winkel wäre gespiegelt, oder der Motor ginge durch; der Versuch wurde gestoppt.</translation>
     </message>
     <message>
-        <source>Every reading is saved as it is taken. You may close and go on tomorrow.</source>
+        <source>Every reading is saved when it is taken. You can close now and continue tomorrow.</source>
         <translation>Jede Messung ist gespeichert, sobald sie genommen ist. Sie können schließen und morgen weitermachen.</translation>
     </message>
     <message>
@@ -832,7 +832,7 @@
         <translation>Jeder Messwert ist gekennzeichnet, bis die Geräte neu verbunden sind.</translation>
     </message>
     <message>
-        <source>Every window may operate the rig. With control, only this one does, apart from stopping and acknowledging</source>
+        <source>Every window can operate the rig. With control, only this one can; all can stop and acknowledge</source>
         <translation>Jedes Fenster darf den Prüfstand bedienen. Wer die Steuerung hat, bedient ihn allein, außer stoppen und quittieren</translation>
     </message>
     <message>
@@ -868,7 +868,7 @@
         <translation>Datei gelöscht, verschoben oder ersetzt</translation>
     </message>
     <message>
-        <source>File has no name any more</source>
+        <source>The file no longer has a name</source>
         <translation>Datei hat keinen Namen mehr</translation>
     </message>
     <message>
@@ -980,16 +980,16 @@
         <translation>Anfangsschonung</translation>
     </message>
     <message>
-        <source>How far inside limit {} its alarm ends</source>
-        <translation>Wie weit innerhalb der Grenze {} ihr Alarm endet</translation>
+        <source>Margin to limit {} at which its alarm ends</source>
+        <translation>Abstand zur Grenze {}, bei dem ihr Alarm endet</translation>
     </message>
     <message>
-        <source>How far the study is</source>
-        <translation>Wie weit die Studie ist</translation>
+        <source>Progress of the study</source>
+        <translation>Fortschritt der Studie</translation>
     </message>
     <message>
-        <source>How the page is</source>
-        <translation>Wie es um die Seite steht</translation>
+        <source>State of the page</source>
+        <translation>Zustand der Seite</translation>
     </message>
     <message>
         <source>Identified</source>
@@ -1012,7 +1012,7 @@
         <translation>Soll: {:.1f} {}</translation>
     </message>
     <message>
-        <source>Its readings cannot be fitted by this version</source>
+        <source>This version cannot fit its readings</source>
         <translation>Seine Messungen lassen sich mit dieser Version nicht auswerten</translation>
     </message>
     <message>
@@ -1028,7 +1028,7 @@
         <translation>Verlauf der Alarme</translation>
     </message>
     <message>
-        <source>Keep the words beside the readings; the certificate has them</source>
+        <source>Save the text with the readings; the certificate shows it</source>
         <translation>Den Text bei den Messwerten festhalten; der Kalibrierschein nennt ihn</translation>
     </message>
     <message>
@@ -1048,7 +1048,7 @@
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Language and folder count when the window is opened again.</source>
+        <source>Language and folder take effect when the window is opened again.</source>
         <translation>Sprache und Ordner gelten, wenn das Fenster neu geöffnet ist.</translation>
     </message>
     <message>
@@ -1056,7 +1056,7 @@
         <translation>Letzte &amp;{}</translation>
     </message>
     <message>
-        <source>Last word of the engine</source>
+        <source>Last message from the engine</source>
         <translation>Letzte Meldung der Steuerung</translation>
     </message>
     <message>
@@ -1152,8 +1152,8 @@
         <translation>Kein Versuch ist im Gang; Grenzen werden in der Versuchsdatei geändert.</translation>
     </message>
     <message>
-        <source>No value yet of {}, which the model beside the test tells.</source>
-        <translation>Noch kein Wert von {}; ihn sagt das Modell neben dem Versuch.</translation>
+        <source>No value of {} yet; it is computed by the model.</source>
+        <translation>Noch kein Wert von {}; ihn berechnet das Modell.</translation>
     </message>
     <message>
         <source>No value yet of {}.</source>
@@ -1176,20 +1176,20 @@
         <translation>Notizen</translation>
     </message>
     <message>
-        <source>Nothing is saved. Go back, select a reading of the series that is wrong, reject it with the reason, and take that series again. All readings so far stay in the journal</source>
+        <source>Nothing is saved. Go back, select a wrong reading, reject it with a reason, and repeat its series. All readings so far stay in the journal</source>
         <translation>Nichts ist gespeichert. Zurückgehen, eine Messung der falschen Reihe wählen, sie mit dem Grund verwerfen und die Reihe wiederholen. Alle bisherigen Messungen bleiben im Journal</translation>
     </message>
     <message>
-        <source>Nothing is saved. The rolls stay as they are; begin a new map when the cause is removed</source>
+        <source>Nothing is saved. The rolls are kept. Begin a new map when the cause is removed</source>
         <translation>Nichts ist gespeichert. Die Umläufe bleiben, wie sie sind; eine neue Karte beginnen, wenn die Ursache behoben ist</translation>
     </message>
     <message>
-        <source>Nothing may hang on the pin</source>
+        <source>The pin must carry no weight</source>
         <translation>Am Bolzen darf nichts hängen</translation>
     </message>
     <message>
-        <source>One speed only: what inertia adds to it is not known. A second, other speed tells</source>
-        <translation>Nur eine Drehzahl: Was die Trägheit beiträgt, ist nicht bekannt. Eine zweite, andere Drehzahl sagt es</translation>
+        <source>One speed only: the contribution of inertia is not known. Add a second speed</source>
+        <translation>Nur eine Drehzahl: Der Beitrag der Trägheit ist nicht bekannt. Eine zweite Drehzahl hinzufügen</translation>
     </message>
     <message>
         <source>One step &amp;back</source>
@@ -1344,8 +1344,8 @@
         <translation>Wiedergabe eines aufgezeichneten Versuchs</translation>
     </message>
     <message>
-        <source>Replay the whole test in a window of its own (Enter)</source>
-        <translation>Den ganzen Versuch in einem eigenen Fenster abspielen (Enter)</translation>
+        <source>Replay the complete test in a separate window (Enter)</source>
+        <translation>Den vollständigen Versuch in einem eigenen Fenster abspielen (Enter)</translation>
     </message>
     <message>
         <source>Report, HTML</source>
@@ -1452,8 +1452,8 @@
         <translation>Verschleißkoeffizient der Hochlage</translation>
     </message>
     <message>
-        <source>Show the whole test</source>
-        <translation>Den ganzen Versuch zeigen</translation>
+        <source>Show the complete test</source>
+        <translation>Den vollständigen Versuch zeigen</translation>
     </message>
     <message>
         <source>Side of limit {}</source>
@@ -1528,12 +1528,12 @@
         <translation>Der RMS von gemessener minus vorhergesagter |F|</translation>
     </message>
     <message>
-        <source>The angle reference has been taken already: begin the readings.</source>
+        <source>The angle reference is already taken: begin the readings.</source>
         <translation>Der Winkelbezug ist schon genommen: Die Messungen können beginnen.</translation>
     </message>
     <message>
-        <source>The cell feels</source>
-        <translation>Der Kraftsensor spürt</translation>
+        <source>The cell reads</source>
+        <translation>Der Kraftsensor zeigt</translation>
     </message>
     <message>
         <source>The devices could not be connected</source>
@@ -1556,12 +1556,12 @@
         <translation>Die Steuerung ist nicht zu erreichen; läuft sie noch?</translation>
     </message>
     <message>
-        <source>The engine could not do this</source>
+        <source>The engine failed to do this</source>
         <translation>Die Steuerung konnte das nicht ausführen</translation>
     </message>
     <message>
-        <source>The engine has no room for this request now; ask again</source>
-        <translation>Die Steuerung hat für diese Anfrage jetzt keinen Platz; noch einmal fragen</translation>
+        <source>The engine&apos;s request queue is full; try again</source>
+        <translation>Die Warteschlange der Steuerung ist voll; erneut versuchen</translation>
     </message>
     <message>
         <source>The file is still being read; try again.</source>
@@ -1572,8 +1572,8 @@
         <translation>Die Lücke ist aufgezeichnet, die Umdrehung gekennzeichnet; nichts wird interpoliert.</translation>
     </message>
     <message>
-        <source>The line to the engine broke</source>
-        <translation>Die Verbindung zur Steuerung ist abgebrochen</translation>
+        <source>The connection to the engine was lost</source>
+        <translation>Die Verbindung zur Steuerung ist verloren</translation>
     </message>
     <message>
         <source>The log cannot be read: {}</source>
@@ -1604,19 +1604,19 @@
         <translation>Der neue Wert ist keine Zahl.</translation>
     </message>
     <message>
-        <source>The part that serves windows has died</source>
+        <source>The part that serves windows has stopped</source>
         <translation>Der Teil, der die Fenster bedient, ist ausgefallen</translation>
     </message>
     <message>
-        <source>The probe stands at</source>
-        <translation>Der Wegsensor steht bei</translation>
+        <source>The probe reads</source>
+        <translation>Der Wegsensor zeigt</translation>
     </message>
     <message>
         <source>The queue failed</source>
         <translation>Die Warteschlange ist ausgefallen</translation>
     </message>
     <message>
-        <source>The request is not readable</source>
+        <source>The request cannot be read</source>
         <translation>Die Anfrage ist nicht lesbar</translation>
     </message>
     <message>
@@ -1624,15 +1624,15 @@
         <translation>Der Versuch lässt sich nicht prüfen</translation>
     </message>
     <message>
-        <source>The test could not be begun</source>
+        <source>The test failed to start</source>
         <translation>Der Versuch ließ sich nicht beginnen</translation>
     </message>
     <message>
-        <source>The test goes on to its last revolution, or to another criterion.</source>
+        <source>The test continues to its last revolution, or to another criterion.</source>
         <translation>Der Versuch läuft bis zur letzten Umdrehung oder bis zu einem anderen Kriterium.</translation>
     </message>
     <message>
-        <source>The test goes on. The wear depth does not end it, and is marked at its end.</source>
+        <source>The test continues. The wear depth does not end it, and is flagged at its end.</source>
         <translation>Der Versuch läuft weiter. Die Verschleißtiefe beendet ihn nicht; an seinem Ende wird darauf hingewiesen.</translation>
     </message>
     <message>
@@ -1640,24 +1640,24 @@
         <translation>Der Versuch läuft von selbst weiter.</translation>
     </message>
     <message>
-        <source>The wear&apos;s departure from what was expected</source>
-        <translation>Die Abweichung des Verschleißes vom Erwarteten</translation>
+        <source>Deviation of the wear from the forecast</source>
+        <translation>Abweichung des Verschleißes von der Prognose</translation>
     </message>
     <message>
         <source>Then take all weights off</source>
         <translation>Dann alle Gewichte abnehmen</translation>
     </message>
     <message>
-        <source>There is no test, so no stored revolution either.</source>
+        <source>There is no test, so there is no stored revolution.</source>
         <translation>Es gibt keinen Versuch, also auch keine gespeicherte Umdrehung.</translation>
     </message>
     <message>
-        <source>There is such a limit already; change that one.</source>
-        <translation>Eine solche Grenze gibt es schon; diese ändern.</translation>
+        <source>This limit exists already; change it instead.</source>
+        <translation>Diese Grenze gibt es schon; sie ändern.</translation>
     </message>
     <message>
-        <source>This is a replay: what was recorded stays as it was</source>
-        <translation>Das ist eine Wiedergabe: Was aufgezeichnet ist, bleibt, wie es war</translation>
+        <source>This is a replay: the recording is not changed</source>
+        <translation>Dies ist eine Wiedergabe: Die Aufzeichnung wird nicht geändert</translation>
     </message>
     <message>
         <source>This is the present value.</source>
@@ -1668,7 +1668,7 @@
         <translation>Titel</translation>
     </message>
     <message>
-        <source>Too many requests are still waiting for an answer</source>
+        <source>Too many requests are waiting for an answer</source>
         <translation>Zu viele Anfragen warten noch auf eine Antwort</translation>
     </message>
     <message>
@@ -1684,7 +1684,7 @@
         <translation>Statt {} eine Zahl eingeben.</translation>
     </message>
     <message>
-        <source>Type a whole number in place of {}.</source>
+        <source>Type an integer in place of {}.</source>
         <translation>Statt {} eine ganze Zahl eingeben.</translation>
     </message>
     <message>
@@ -1720,7 +1720,7 @@
         <translation>Werte am Cursor</translation>
     </message>
     <message>
-        <source>Wait until no test is under way</source>
+        <source>Wait until no test is running</source>
         <translation>Warten, bis kein Versuch im Gang ist</translation>
     </message>
     <message>
@@ -1812,32 +1812,32 @@
         <translation>Was erhalten bleibt</translation>
     </message>
     <message>
-        <source>What is known of the wear is being computed …</source>
-        <translation>Was vom Verschleiß bekannt ist, wird berechnet …</translation>
+        <source>The wear results are being computed …</source>
+        <translation>Die Ergebnisse zum Verschleiß werden berechnet …</translation>
     </message>
     <message>
-        <source>What is wrong with limit {}, or its usual range</source>
-        <translation>Was an Grenze {} falsch ist, oder ihr üblicher Bereich</translation>
+        <source>Error in limit {}, or its usual range</source>
+        <translation>Fehler in Grenze {}, oder ihr üblicher Bereich</translation>
     </message>
     <message>
         <source>What it looks like</source>
         <translation>Wie es aussieht</translation>
     </message>
     <message>
-        <source>What it should be</source>
-        <translation>Was es sein sollte</translation>
+        <source>Expected value</source>
+        <translation>Sollwert</translation>
     </message>
     <message>
-        <source>What limit {} does</source>
-        <translation>Was Grenze {} bewirkt</translation>
+        <source>Action of limit {}</source>
+        <translation>Wirkung der Grenze {}</translation>
     </message>
     <message>
         <source>What this is</source>
         <translation>Was dies ist</translation>
     </message>
     <message>
-        <source>What will be done</source>
-        <translation>Was getan wird</translation>
+        <source>Next actions</source>
+        <translation>Nächste Schritte</translation>
     </message>
     <message>
         <source>Who&amp;le test</source>
@@ -1848,8 +1848,8 @@
         <translation>Warum eine Wasserwaage</translation>
     </message>
     <message>
-        <source>Why there is no result, or what to know about it</source>
-        <translation>Warum es kein Ergebnis gibt, oder was dazu zu wissen ist</translation>
+        <source>Why there is no result, or remarks on it</source>
+        <translation>Warum es kein Ergebnis gibt, oder Bemerkungen dazu</translation>
     </message>
     <message>
         <source>Worn profile</source>
@@ -1880,7 +1880,7 @@
         <translation>ein Text der Firmware, der nicht lesbar ist</translation>
     </message>
     <message>
-        <source>a journal starts with begin</source>
+        <source>a journal begins with the event &quot;begin&quot;</source>
         <translation>ein Journal beginnt mit begin</translation>
     </message>
     <message>
@@ -1892,7 +1892,7 @@
         <translation>ein neuer Versuch</translation>
     </message>
     <message>
-        <source>a reading is rejected with a reason; write one</source>
+        <source>rejecting a reading needs a reason; enter one</source>
         <translation>eine Messung wird mit einem Grund verworfen; einen angeben</translation>
     </message>
     <message>
@@ -1912,12 +1912,12 @@
         <translation>eine Ablehnung</translation>
     </message>
     <message>
-        <source>a request could not be sent whole</source>
+        <source>a request was not sent completely</source>
         <translation>eine Anfrage ließ sich nicht ganz senden</translation>
     </message>
     <message>
-        <source>a roll needs a rig file and a test file, whose mechanism tells the elastic motion: name the test file</source>
-        <translation>ein Umlauf braucht eine Prüfstandsdatei und eine Versuchsdatei, deren Getriebe die elastische Bewegung sagt: die Versuchsdatei nennen</translation>
+        <source>a roll needs a rig file and a test file, whose mechanism gives the elastic motion: name the test file</source>
+        <translation>ein Umlauf braucht eine Prüfstandsdatei und eine Versuchsdatei, deren Getriebe die elastische Bewegung ergibt: die Versuchsdatei nennen</translation>
     </message>
     <message>
         <source>a simulated rig</source>
@@ -1968,7 +1968,7 @@
         <translation>in y</translation>
     </message>
     <message>
-        <source>an answer cut short</source>
+        <source>a truncated answer</source>
         <translation>eine abgeschnittene Antwort</translation>
     </message>
     <message>
@@ -2040,8 +2040,8 @@
         <translation>nach seiner Zeile in der Prüfstandsdatei</translation>
     </message>
     <message>
-        <source>cannot be judged</source>
-        <translation>nicht zu beurteilen</translation>
+        <source>cannot be evaluated</source>
+        <translation>nicht auswertbar</translation>
     </message>
     <message>
         <source>change</source>
@@ -2076,7 +2076,7 @@
         <translation>cm/s^2 (Gal)</translation>
     </message>
     <message>
-        <source>command names no program</source>
+        <source>the command names no program</source>
         <translation>command nennt kein Programm</translation>
     </message>
     <message>
@@ -2232,8 +2232,8 @@
         <translation>jeder</translation>
     </message>
     <message>
-        <source>every step of the plan has been taken</source>
-        <translation>jeder Schritt des Plans ist getan</translation>
+        <source>every step of the plan is done</source>
+        <translation>jeder Schritt des Plans ist erledigt</translation>
     </message>
     <message>
         <source>every {}th</source>
@@ -2400,7 +2400,7 @@
         <translation>fortsetzen</translation>
     </message>
     <message>
-        <source>goes on after them</source>
+        <source>continues after them</source>
         <translation>setzt ihn danach fort</translation>
     </message>
     <message>
@@ -2456,8 +2456,8 @@
         <translation>Referenzeingang M2 aktiv</translation>
     </message>
     <message>
-        <source>how long an explicit step may be is known for wear in proportion to the pressure only; take implicit steps</source>
-        <translation>wie lang ein expliziter Schritt sein darf, ist nur für Verschleiß im Verhältnis zur Pressung bekannt; implizite Schritte nehmen</translation>
+        <source>a limit for explicit steps is known only for wear proportional to pressure; use implicit steps</source>
+        <translation>eine Grenze für explizite Schritte ist nur für Verschleiß proportional zur Pressung bekannt; implizite Schritte verwenden</translation>
     </message>
     <message>
         <source>hysteresis that was not read</source>
@@ -2512,7 +2512,7 @@
         <translation>fällt</translation>
     </message>
     <message>
-        <source>is identified beside the model</source>
+        <source>is identified by the twin</source>
         <translation>wird neben dem Modell bestimmt</translation>
     </message>
     <message>
@@ -2520,7 +2520,7 @@
         <translation>läuft sie noch?</translation>
     </message>
     <message>
-        <source>is its name now</source>
+        <source>is its new name</source>
         <translation>ist jetzt ihr Name</translation>
     </message>
     <message>
@@ -2532,7 +2532,7 @@
         <translation>ist nicht geöffnet</translation>
     </message>
     <message>
-        <source>it answers stop no more; switch it off and on and check the cable</source>
+        <source>it no longer answers stop; switch it off and on and check the cable</source>
         <translation>es antwortet nicht mehr auf stop; es aus- und einschalten und das Kabel prüfen</translation>
     </message>
     <message>
@@ -2596,8 +2596,8 @@
         <translation>es muss mindestens 0 und kleiner als 0.5 sein</translation>
     </message>
     <message>
-        <source>it must be at least 0 and below 0.5 (0.5 is incompressible; 0.499 comes close)</source>
-        <translation>es muss mindestens 0 und kleiner als 0.5 sein (0.5 ist inkompressibel; 0.499 kommt dem nahe)</translation>
+        <source>it must be at least 0 and below 0.5 (0.5 is incompressible; use 0.499 instead)</source>
+        <translation>es muss mindestens 0 und kleiner als 0.5 sein (0.5 ist inkompressibel; dafür 0.499 angeben)</translation>
     </message>
     <message>
         <source>it must be greater than 0</source>
@@ -2632,8 +2632,8 @@
         <translation>ihre Kräfte sind nicht alle Zahlen</translation>
     </message>
     <message>
-        <source>its measured wear depth is not to be trusted; see the alarms</source>
-        <translation>seiner gemessenen Verschleißtiefe nicht zu trauen ist; siehe die Alarme</translation>
+        <source>its measured wear depth is not reliable; see the alarms</source>
+        <translation>seine gemessene Verschleißtiefe nicht verlässlich ist; siehe die Alarme</translation>
     </message>
     <message>
         <source>its signature is incomplete</source>
@@ -2700,11 +2700,11 @@
         <translation>Logikspannung zu niedrig</translation>
     </message>
     <message>
-        <source>looking for it, or starting it</source>
+        <source>searching for it, or starting it</source>
         <translation>wird gesucht oder gestartet</translation>
     </message>
     <message>
-        <source>looking for the engine</source>
+        <source>searching for the engine</source>
         <translation>die Steuerung wird gesucht</translation>
     </message>
     <message>
@@ -2868,8 +2868,8 @@
         <translation>braucht die elastische Annäherung des Modells</translation>
     </message>
     <message>
-        <source>never came</source>
-        <translation>kam nie</translation>
+        <source>never received</source>
+        <translation>nie empfangen</translation>
     </message>
     <message>
         <source>new limit: {}</source>
@@ -2896,11 +2896,11 @@
         <translation>keine Zyklen</translation>
     </message>
     <message>
-        <source>no heartbeat heard</source>
-        <translation>kein Heartbeat gehört</translation>
+        <source>no heartbeat received</source>
+        <translation>kein Heartbeat empfangen</translation>
     </message>
     <message>
-        <source>no input is asked for; name at least one</source>
+        <source>no input is requested; name at least one</source>
         <translation>kein Eingang ist verlangt; mindestens einen nennen</translation>
     </message>
     <message>
@@ -2908,8 +2908,8 @@
         <translation>keine Zeile eines Journals</translation>
     </message>
     <message>
-        <source>no measured value came</source>
-        <translation>kein Messwert kam</translation>
+        <source>no measured value received</source>
+        <translation>kein Messwert empfangen</translation>
     </message>
     <message>
         <source>no message</source>
@@ -2920,8 +2920,8 @@
         <translation>kein Name</translation>
     </message>
     <message>
-        <source>no part of the bushing lies where the force points, so nothing can carry it</source>
-        <translation>wohin die Kraft zeigt, liegt kein Teil der Buchse, sodass nichts sie tragen kann</translation>
+        <source>no bushing material lies in the direction of the force, so nothing can carry it</source>
+        <translation>in Richtung der Kraft liegt kein Material der Buchse, das sie tragen könnte</translation>
     </message>
     <message>
         <source>no profile is recorded: the pin&apos;s circle sunk in by the depth</source>
@@ -2940,12 +2940,8 @@
         <translation>in der Warteschlange wartet kein Versuch; einen hinzufügen: rigapp queue add</translation>
     </message>
     <message>
-        <source>no word from the engine</source>
+        <source>no message from the engine</source>
         <translation>keine Meldung der Steuerung</translation>
-    </message>
-    <message>
-        <source>nobody is</source>
-        <translation>niemand hat es</translation>
     </message>
     <message>
         <source>nominal pressure</source>
@@ -2956,8 +2952,8 @@
         <translation>keine</translation>
     </message>
     <message>
-        <source>none are coming</source>
-        <translation>es kommen keine</translation>
+        <source>none received</source>
+        <translation>keine empfangen</translation>
     </message>
     <message>
         <source>not a row of finite numbers</source>
@@ -2968,8 +2964,8 @@
         <translation>nicht mit FF bestätigt</translation>
     </message>
     <message>
-        <source>not compared: the crank is not known to stand as it stood, and a spring presses by its angle</source>
-        <translation>nicht verglichen: Ob die Kurbel steht, wie sie stand, ist nicht bekannt, und eine Feder drückt je nach ihrem Winkel</translation>
+        <source>not compared: it is not known that the crank is at the same angle, and the spring force depends on it</source>
+        <translation>nicht verglichen: Der Kurbelwinkel ist vielleicht ein anderer, und die Federkraft hängt von ihm ab</translation>
     </message>
     <message>
         <source>not finite</source>
@@ -3004,28 +3000,28 @@
         <translation>nicht angegeben: den Kraftsensor kalibrieren</translation>
     </message>
     <message>
-        <source>not told, most likely {} ({:.0f} %)</source>
-        <translation>nicht entschieden, am ehesten {} ({:.0f} %)</translation>
+        <source>not identified, most likely {} ({:.0f} %)</source>
+        <translation>nicht bestimmt, am ehesten {} ({:.0f} %)</translation>
     </message>
     <message>
         <source>not usable yet</source>
         <translation>noch nicht brauchbar</translation>
     </message>
     <message>
-        <source>nothing answers stop; check power and cable, and that the LED blinks yellow (CDC mode)</source>
-        <translation>auf stop antwortet nichts; Versorgung und Kabel prüfen, und dass die LED gelb blinkt (CDC-Modus)</translation>
+        <source>no answer to stop; check power and cable, and that the LED blinks yellow (CDC mode)</source>
+        <translation>keine Antwort auf stop; Versorgung und Kabel prüfen, und dass die LED gelb blinkt (CDC-Modus)</translation>
     </message>
     <message>
-        <source>nothing of itself</source>
-        <translation>nichts von sich selbst</translation>
+        <source>none of its own</source>
+        <translation>kein eigenes</translation>
     </message>
     <message>
-        <source>nothing presses in the reference revolution</source>
-        <translation>in der Bezugsumdrehung drückt nichts</translation>
+        <source>there is no contact force in the reference revolution</source>
+        <translation>in der Bezugsumdrehung gibt es keine Kontaktkraft</translation>
     </message>
     <message>
-        <source>nothing, wait</source>
-        <translation>nichts, warten</translation>
+        <source>no action, wait</source>
+        <translation>keine Aktion, warten</translation>
     </message>
     <message>
         <source>numbers of the rig file</source>
@@ -3104,7 +3100,7 @@
         <translation>Übertemperatur 2</translation>
     </message>
     <message>
-        <source>parameters is missing; name the parameter file</source>
+        <source>parameters are missing; name the parameter file</source>
         <translation>parameters fehlt; die Parameterdatei nennen</translation>
     </message>
     <message>
@@ -3208,7 +3204,7 @@
         <translation>den Not-Halt-Taster entriegeln; ist er entriegelt, lässt sich dieser Antrieb nicht durch Befehl zurücksetzen: den Antrieb aus- und einschalten, dann neu verbinden</translation>
     </message>
     <message>
-        <source>released command</source>
+        <source>released control</source>
         <translation>gab die Steuerung frei</translation>
     </message>
     <message>
@@ -3300,8 +3296,8 @@
         <translation>Abtastung nach der internen Uhr</translation>
     </message>
     <message>
-        <source>seen {:.0f}° to {:.0f}°, cycle {}</source>
-        <translation>gesehen {:.0f}° bis {:.0f}°, Zyklus {}</translation>
+        <source>reached {:.0f}° to {:.0f}°, cycle {}</source>
+        <translation>erreicht {:.0f}° bis {:.0f}°, Zyklus {}</translation>
     </message>
     <message>
         <source>sensor broken</source>
@@ -3420,7 +3416,7 @@
         <translation>gespeichert</translation>
     </message>
     <message>
-        <source>swinging: wait until it hangs still</source>
+        <source>swinging: wait until the weight is still</source>
         <translation>schwingt: warten, bis es ruhig hängt</translation>
     </message>
     <message>
@@ -3472,7 +3468,7 @@
         <translation>der Analog-Digital-Wandler ist defekt</translation>
     </message>
     <message>
-        <source>the angle is not known yet: turn the crank by hand once past the encoder&apos;s index</source>
+        <source>the angle is not known yet: turn the crank by hand past the encoder&apos;s index once</source>
         <translation>der Winkel ist noch nicht bekannt: die Kurbel von Hand einmal über den Index des Drehgebers drehen</translation>
     </message>
     <message>
@@ -3496,7 +3492,7 @@
         <translation>die Spalten eines Zyklus sind verschieden lang</translation>
     </message>
     <message>
-        <source>the command before it is not done</source>
+        <source>the previous command is not finished</source>
         <translation>der vorige Befehl ist nicht fertig</translation>
     </message>
     <message>
@@ -3504,8 +3500,8 @@
         <translation>die komprimierte Kopie</translation>
     </message>
     <message>
-        <source>the computer or the program ended while it ran</source>
-        <translation>der Rechner oder das Programm endete, während er lief</translation>
+        <source>the computer or the program stopped during the test</source>
+        <translation>der Rechner oder das Programm fiel während des Versuchs aus</translation>
     </message>
     <message>
         <source>the contact found no balance; the load is too high for this bushing or the profile is not smooth</source>
@@ -3524,15 +3520,15 @@
         <translation>der Kontakt reicht über den Bogen der Knoten hinaus, die berühren dürfen; die Kraft senken</translation>
     </message>
     <message>
-        <source>the crank did not turn forward in it</source>
-        <translation>die Kurbel drehte darin nicht vorwärts</translation>
+        <source>the crank did not turn forward</source>
+        <translation>die Kurbel drehte nicht vorwärts</translation>
     </message>
     <message>
-        <source>the crank moves, or no samples come while it stands</source>
+        <source>the crank moves, or no samples arrive while it is stationary</source>
         <translation>die Kurbel bewegt sich, oder es kommen keine Messwerte, während sie steht</translation>
     </message>
     <message>
-        <source>the crank stands</source>
+        <source>the crank is stationary</source>
         <translation>die Kurbel steht</translation>
     </message>
     <message>
@@ -3540,12 +3536,8 @@
         <translation>die Kurbel dreht sich</translation>
     </message>
     <message>
-        <source>the crank turns; it must stand</source>
-        <translation>die Kurbel dreht sich; sie muss stehen</translation>
-    </message>
-    <message>
-        <source>the crank turns; let it stand</source>
-        <translation>die Kurbel dreht sich; sie stehen lassen</translation>
+        <source>Stop the crank first</source>
+        <translation>Zuerst die Kurbel anhalten</translation>
     </message>
     <message>
         <source>the data rate is too high for the other settings</source>
@@ -3560,8 +3552,8 @@
         <translation>das Gerät hat die Einstellung data_checksum nicht angenommen</translation>
     </message>
     <message>
-        <source>the device does not know this command</source>
-        <translation>das Gerät kennt diesen Befehl nicht</translation>
+        <source>unknown command for the device</source>
+        <translation>dieser Befehl ist dem Gerät unbekannt</translation>
     </message>
     <message>
         <source>the device does not support it</source>
@@ -3628,7 +3620,7 @@
         <translation>die Datei</translation>
     </message>
     <message>
-        <source>the file does not tell them</source>
+        <source>the file does not state them</source>
         <translation>die Datei nennt sie nicht</translation>
     </message>
     <message>
@@ -3636,12 +3628,12 @@
         <translation>die Datei des laufenden Versuchs</translation>
     </message>
     <message>
-        <source>the file tells no wear depth: the simulated rig has an unworn bushing</source>
+        <source>the file states no wear depth: the simulated rig has an unworn bushing</source>
         <translation>die Datei nennt keine Verschleißtiefe: Der simulierte Prüfstand hat eine neue Buchse</translation>
     </message>
     <message>
-        <source>the file was recorded without a prediction, or by a version that did not ask for it</source>
-        <translation>die Datei entstand ohne Vorhersage oder mit einer Version, die nicht danach fragte</translation>
+        <source>the file was recorded without a prediction, or by a version that did not request it</source>
+        <translation>die Datei entstand ohne Vorhersage oder mit einer Version, die keine anforderte</translation>
     </message>
     <message>
         <source>the file&apos;s own rig cannot be read; the devices are not compared</source>
@@ -3716,8 +3708,8 @@
         <translation>die Messschraube wird zu weit gedreht</translation>
     </message>
     <message>
-        <source>the model cannot tell how far the force presses the pin in</source>
-        <translation>das Modell kann nicht sagen, wie weit die Kraft den Bolzen eindrückt</translation>
+        <source>the model has no indentation for this force</source>
+        <translation>das Modell kennt für diese Kraft keine Eindrückung</translation>
     </message>
     <message>
         <source>the number of parameters is wrong</source>
@@ -3732,7 +3724,7 @@
         <translation>die Größenordnung der Parameterdatei, eine Dekade nach beiden Seiten</translation>
     </message>
     <message>
-        <source>the parameters came too late (more than 200 ms)</source>
+        <source>the parameters arrived too late (more than 200 ms)</source>
         <translation>die Parameter kamen zu spät (mehr als 200 ms)</translation>
     </message>
     <message>
@@ -3764,8 +3756,8 @@
         <translation>der Weg der Messschraube ist eine Länge über 0</translation>
     </message>
     <message>
-        <source>the readings say hardly more of the wear coefficient than what was assumed before the test: let it run longer</source>
-        <translation>die Messungen sagen über den Verschleißkoeffizienten kaum mehr, als vor dem Versuch angenommen war: ihn länger laufen lassen</translation>
+        <source>the readings add little to the wear coefficient that was assumed before the test: let it run longer</source>
+        <translation>die Messungen ergeben kaum mehr als der vor dem Versuch angenommene Verschleißkoeffizient: länger laufen lassen</translation>
     </message>
     <message>
         <source>the record&apos;s settings</source>
@@ -3780,8 +3772,8 @@
         <translation>der Rest des Versuchs</translation>
     </message>
     <message>
-        <source>the room for whole cycles around alarms, limits and notes is used up: from here on only those of the schedule are kept, and those around critical alarms while room lasts</source>
-        <translation>der Platz für ganze Zyklen um Alarme, Grenzen und Notizen ist verbraucht: Von hier an werden nur noch die des Plans behalten, und die um kritische Alarme, solange Platz ist</translation>
+        <source>Reserved space for triggered cycles is full. Only scheduled cycles and those around critical alarms are stored from here on</source>
+        <translation>Der reservierte Platz für ausgelöste Zyklen ist voll. Ab hier werden nur geplante Zyklen und die um kritische Alarme gespeichert</translation>
     </message>
     <message>
         <source>the setting can only be read</source>
@@ -3812,7 +3804,7 @@
         <translation>die gespeicherten Daten widersprechen sich</translation>
     </message>
     <message>
-        <source>the target stands before the other probe</source>
+        <source>the target is in front of the other probe</source>
         <translation>das Ziel steht vor dem anderen Wegsensor</translation>
     </message>
     <message>
@@ -3844,11 +3836,11 @@
         <translation>die Vorhersage kam nicht nach</translation>
     </message>
     <message>
-        <source>the twin did not ask for it</source>
-        <translation>die Vorhersage fragte nicht danach</translation>
+        <source>the twin did not request it</source>
+        <translation>die Vorhersage wurde nicht angefordert</translation>
     </message>
     <message>
-        <source>the twin died</source>
+        <source>the twin stopped</source>
         <translation>die Vorhersage ist ausgefallen</translation>
     </message>
     <message>
@@ -3888,7 +3880,7 @@
         <translation>der Wert ist zu klein für die übrigen Einstellungen</translation>
     </message>
     <message>
-        <source>the watch over this computer</source>
+        <source>the monitor of this computer</source>
         <translation>die Überwachung dieses Rechners</translation>
     </message>
     <message>
@@ -3908,10 +3900,6 @@
         <translation>das Fenster ist eine Anzahl von Sekunden über 0</translation>
     </message>
     <message>
-        <source>the zero needs samples, and none came; check the device</source>
-        <translation>der Nullpunkt braucht Messwerte, und es kamen keine; das Gerät prüfen</translation>
-    </message>
-    <message>
         <source>the zero of the load cell differs</source>
         <translation>der Nullpunkt des Kraftsensors weicht ab</translation>
     </message>
@@ -3920,11 +3908,11 @@
         <translation>es gibt keine Daten</translation>
     </message>
     <message>
-        <source>there are no readings to take up; begin a calibration</source>
+        <source>there are no readings to continue; begin a calibration</source>
         <translation>es gibt keine Messungen fortzusetzen; eine Kalibrierung beginnen</translation>
     </message>
     <message>
-        <source>there are no rolls to take up; begin a map</source>
+        <source>there are no rolls to continue; begin a map</source>
         <translation>es gibt keine Umläufe fortzusetzen; eine Karte beginnen</translation>
     </message>
     <message>
@@ -3944,7 +3932,7 @@
         <translation>einen solchen Anschluss gibt es nicht; Kabel, Versorgung und Namen des Anschlusses prüfen</translation>
     </message>
     <message>
-        <source>there is no test whose wear coefficient is known</source>
+        <source>there is no test with a known wear coefficient</source>
         <translation>es gibt keinen Versuch, dessen Verschleißkoeffizient bekannt ist</translation>
     </message>
     <message>
@@ -4008,7 +3996,7 @@
         <translation>zu klein</translation>
     </message>
     <message>
-        <source>took command</source>
+        <source>took control</source>
         <translation>übernahm die Steuerung</translation>
     </message>
     <message>
@@ -4088,7 +4076,7 @@
         <translation>wurde geschlossen</translation>
     </message>
     <message>
-        <source>watch over this computer</source>
+        <source>monitor of this computer</source>
         <translation>Überwachung dieses Rechners</translation>
     </message>
     <message>
@@ -4156,16 +4144,16 @@
         <translation>Hier wird gezeichnet, was vom Verschleißkoeffizienten bekannt ist.</translation>
     </message>
     <message>
-        <source>what it does when this computer is silent cannot be set: pull the cable at a low speed before the first test and watch</source>
-        <translation>was er tut, wenn dieser Rechner schweigt, lässt sich nicht einstellen: vor dem ersten Versuch bei kleiner Drehzahl das Kabel ziehen und zusehen</translation>
+        <source>its reaction to a silent computer cannot be set: pull the cable at a low speed before the first test and check that it stops</source>
+        <translation>sein Verhalten bei schweigendem Rechner ist nicht einstellbar: vor dem ersten Versuch bei kleiner Drehzahl das Kabel ziehen und prüfen, dass er anhält</translation>
     </message>
     <message>
-        <source>what was still open could not be closed in time and was left</source>
-        <translation>was noch offen war, ließ sich nicht rechtzeitig schließen und blieb zurück</translation>
+        <source>what was still open was not closed in time</source>
+        <translation>was noch offen war, wurde nicht rechtzeitig geschlossen</translation>
     </message>
     <message>
-        <source>whatever hangs there: is a cable or the slip ring loose?</source>
-        <translation>was auch immer dort hängt: Ist ein Kabel oder der Schleifring lose?</translation>
+        <source>of unknown cause: is a cable or the slip ring loose?</source>
+        <translation>von unbekannter Ursache: Ist ein Kabel oder der Schleifring lose?</translation>
     </message>
     <message>
         <source>when (UTC)         sensitivity  cross-talk   largest N  verdict  operator</source>
@@ -4184,8 +4172,8 @@
         <translation>ohne Konvergenz</translation>
     </message>
     <message>
-        <source>without force or slip nothing wears</source>
-        <translation>ohne Kraft oder Gleitweg verschleißt nichts</translation>
+        <source>without force or slip there is no wear</source>
+        <translation>ohne Kraft oder Gleitweg gibt es keinen Verschleiß</translation>
     </message>
     <message>
         <source>without power</source>
@@ -4236,7 +4224,7 @@
         <translation>{note} endet {back} innerhalb</translation>
     </message>
     <message>
-        <source>{value} can never come: the drive goes off at {most}. Type a value below that.</source>
+        <source>{value} is never reached: the drive switches off at {most}. Type a value below that.</source>
         <translation>{value} kann nie eintreten: Der Antrieb geht bei {most} aus. Einen Wert darunter eingeben.</translation>
     </message>
     <message>
@@ -4300,7 +4288,7 @@
         <translation>{} muss eine Zahl sein, nicht {}</translation>
     </message>
     <message>
-        <source>{} must be a whole number, not {}</source>
+        <source>{} must be an integer, not {}</source>
         <translation>{} muss eine ganze Zahl sein, nicht {}</translation>
     </message>
     <message>
@@ -4352,7 +4340,7 @@
         <translation>{} bis {:.4g} µm{}</translation>
     </message>
     <message>
-        <source>{} was changed by another program since it was opened. Save it as another file, or open it again, which loses what was changed here.</source>
+        <source>{} was changed by another program since it was opened. Save it as another file, or open it again and lose the changes made here.</source>
         <translation>{} wurde seit dem Öffnen von einem anderen Programm geändert. Als andere Datei speichern oder neu öffnen; dabei geht verloren, was hier geändert wurde.</translation>
     </message>
     <message>
@@ -4436,7 +4424,7 @@
         <translation>{}: nach {} Punkten unterbrochen.</translation>
     </message>
     <message>
-        <source>{}: no whole cycle is saved yet</source>
+        <source>{}: no complete cycle is saved yet</source>
         <translation>{}: noch kein ganzer Zyklus gespeichert</translation>
     </message>
     <message>
@@ -4506,8 +4494,8 @@
         <translation> (Bis Zyklus {}.)</translation>
     </message>
     <message>
-        <source> ({} mistakes; each stands at its field)</source>
-        <translation> ({} Fehler; jeder steht an seinem Feld)</translation>
+        <source> ({} mistakes; each is shown at its field)</source>
+        <translation> ({} Fehler; jeder wird an seinem Feld gezeigt)</translation>
     </message>
     <message>
         <source> Each page is marked {}.</source>
@@ -4538,7 +4526,7 @@
         <translation>&amp;Zurück</translation>
     </message>
     <message>
-        <source>&amp;Begin or take up</source>
+        <source>&amp;Begin or continue</source>
         <translation>&amp;Beginnen oder fortsetzen</translation>
     </message>
     <message>
@@ -4566,12 +4554,12 @@
         <translation>Den ersten Winkel &amp;vergessen</translation>
     </message>
     <message>
-        <source>&amp;Go on with it</source>
-        <translation>Damit &amp;fortfahren</translation>
+        <source>&amp;Resume test</source>
+        <translation>Versuch &amp;fortsetzen</translation>
     </message>
     <message>
-        <source>&amp;Go on with this one…</source>
-        <translation>Damit &amp;fortfahren…</translation>
+        <source>Res&amp;ume this test…</source>
+        <translation>Versuch &amp;fortsetzen…</translation>
     </message>
     <message>
         <source>&amp;Hanger</source>
@@ -4586,8 +4574,8 @@
         <translation>&amp;Kraftsensor</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
-        <translation>&amp;Neu lesen</translation>
+        <source>Refres&amp;h</source>
+        <translation>&amp;Aktualisieren</translation>
     </message>
     <message>
         <source>&amp;Next</source>
@@ -4638,7 +4626,7 @@
         <translation> Nach dem Modell hat sich die elastische Annäherung um {} µm geändert; {}.</translation>
     </message>
     <message>
-        <source> It was seen at rest {:.2f} s after the alarm.</source>
+        <source> It was at rest {:.2f} s after the alarm.</source>
         <translation> Sie stand {:.2f} s nach dem Alarm still.</translation>
     </message>
     <message>
@@ -4658,7 +4646,7 @@
         <translation> Das Modell: {}.</translation>
     </message>
     <message>
-        <source> The probes&apos; zero is not at the bushing&apos;s centre, so that the direction comes from the forces: the flanks are less certain.</source>
+        <source> The zero of the probes is not at the bushing&apos;s centre, so the direction comes from the forces: the flanks are less certain.</source>
         <translation> Der Nullpunkt der Wegsensoren liegt nicht in der Buchsenmitte, die Richtung kommt daher aus den Kräften: Die Flanken sind weniger sicher.</translation>
     </message>
     <message>
@@ -4788,15 +4776,15 @@ ab {}</translation>
         <translation>Ein Komma kann keine Zahlen trennen, in denen eines steht: --separator &quot;;&quot; dazuschreiben</translation>
     </message>
     <message>
-        <source>A complete test is over; prepare another one with New specimen</source>
-        <translation>Ein vollständiger Versuch ist zu Ende; mit Neue Probe wird der nächste vorbereitet</translation>
+        <source>The test is complete; prepare the next one with New specimen</source>
+        <translation>Der Versuch ist vollständig; den nächsten mit Neue Probe vorbereiten</translation>
     </message>
     <message>
         <source>A mass is negative; masses are written in kg, from 0 up</source>
         <translation>Eine Masse ist negativ; Massen werden in kg geschrieben, von 0 aufwärts</translation>
     </message>
     <message>
-        <source>A micrometer moves the target in equal steps, up and down; the voltage is read at each step. Every reading is saved at once: close at any time and take it up again.</source>
+        <source>A micrometer moves the target in equal steps, up and down; the voltage is read at each step. Every reading is saved at once: you can close and continue later.</source>
         <translation>Eine Messschraube verschiebt das Ziel in gleichen Schritten auf und ab; bei jedem wird die Spannung gelesen. Jede Messung ist sofort gespeichert: jederzeit schließen und später fortsetzen.</translation>
     </message>
     <message>
@@ -4804,8 +4792,8 @@ ab {}</translation>
         <translation>Einen neuen oder einen wie zuvor.</translation>
     </message>
     <message>
-        <source>A new way counts when the engine is started again.</source>
-        <translation>Ein neuer Weg gilt, wenn die Steuerung neu gestartet ist.</translation>
+        <source>A new recipient takes effect when the engine is started again.</source>
+        <translation>Ein neuer Empfänger gilt, wenn die Steuerung neu gestartet ist.</translation>
     </message>
     <message>
         <source>A present PIN</source>
@@ -4820,8 +4808,8 @@ ab {}</translation>
         <translation>Ein Siegel ist nicht lesbar</translation>
     </message>
     <message>
-        <source>A short test on a rig of software.</source>
-        <translation>Ein kurzer Versuch, alles nur simuliert.</translation>
+        <source>A short test on the simulated rig.</source>
+        <translation>Ein kurzer Versuch am simulierten Prüfstand.</translation>
     </message>
     <message>
         <source>A study</source>
@@ -4832,8 +4820,8 @@ ab {}</translation>
         <translation>Ein Versuch wurde unterbrochen</translation>
     </message>
     <message>
-        <source>A wear coefficient other than the model&apos;s is seen after so many revolutions by so great a share of the tests:</source>
-        <translation>Ein anderer Verschleißkoeffizient als der des Modells wird nach so vielen Umdrehungen von einem so großen Anteil der Versuche gesehen:</translation>
+        <source>Number of revolutions after which a wear coefficient other than the model&apos;s is detected, by share of the tests:</source>
+        <translation>Umdrehungen, nach denen ein anderer Verschleißkoeffizient als der des Modells erkannt wird, nach Anteil der Versuche:</translation>
     </message>
     <message>
         <source>A window with the simulated rig is being opened.</source>
@@ -4852,11 +4840,11 @@ ab {}</translation>
         <translation>Angenommen</translation>
     </message>
     <message>
-        <source>Acknowledge the alarm that is told in full</source>
+        <source>Acknowledge the alarm that is shown in full</source>
         <translation>Den Alarm quittieren, der ganz zu lesen ist</translation>
     </message>
     <message>
-        <source>Acknowledge the alarm that is told in full; show the alarms where none is seen</source>
+        <source>Acknowledge the alarm that is shown in full; show the alarms where none is in view</source>
         <translation>Den ausführlich gezeigten Alarm quittieren; die Alarme zeigen, wo keiner zu sehen ist</translation>
     </message>
     <message>
@@ -4880,8 +4868,8 @@ ab {}</translation>
         <translation>Schritt hinzufügen</translation>
     </message>
     <message>
-        <source>Add the way</source>
-        <translation>Den Weg hinzufügen</translation>
+        <source>Add recipient</source>
+        <translation>Empfänger hinzufügen</translation>
     </message>
     <message>
         <source>Address</source>
@@ -4896,8 +4884,8 @@ ab {}</translation>
         <translation>Adresse und Port der Seite</translation>
     </message>
     <message>
-        <source>After how many revolutions it is seen</source>
-        <translation>Nach wie vielen Umdrehungen man es sieht</translation>
+        <source>Number of revolutions until it is detected</source>
+        <translation>Umdrehungen bis zur Erkennung</translation>
     </message>
     <message>
         <source>Age of the data</source>
@@ -4937,7 +4925,7 @@ ab {}</translation>
     </message>
     <message>
         <source>All steps are done.</source>
-        <translation>Alle Schritte sind getan.</translation>
+        <translation>Alle Schritte sind erledigt.</translation>
     </message>
     <message>
         <source>All {} results</source>
@@ -5000,8 +4988,8 @@ ab {}</translation>
         <translation>Wie der Desktop</translation>
     </message>
     <message>
-        <source>Asks each USB device who it is. A port behind a USB adapter is listed, not asked.</source>
-        <translation>Fragt jedes USB-Gerät, wer es ist. Ein Anschluss hinter einem USB-Adapter wird aufgeführt, nicht befragt.</translation>
+        <source>Identifies each USB device. A port behind a USB adapter is listed, not queried.</source>
+        <translation>Fragt jedes USB-Gerät nach seiner Kennung. Ein Anschluss hinter einem USB-Adapter wird nur aufgeführt.</translation>
     </message>
     <message>
         <source>Assumed beforehand</source>
@@ -5044,7 +5032,7 @@ ab {}</translation>
         <translation>Messungen beginnen</translation>
     </message>
     <message>
-        <source>Begin the next test, or go on with the one that stopped</source>
+        <source>Begin the next test, or resume the one that stopped</source>
         <translation>Den nächsten Versuch beginnen oder den stehen gebliebenen fortsetzen</translation>
     </message>
     <message>
@@ -5056,7 +5044,7 @@ ab {}</translation>
         <translation>Bitrate des CAN-Busses</translation>
     </message>
     <message>
-        <source>Bits of object 3202:1 that are set while safe torque off is not active (assumed); 0 does not look</source>
+        <source>Bits of object 3202:1 that are set while safe torque off is not active (assumed); 0 does not check</source>
         <translation>Bits von Objekt 3202:1, die gesetzt sind, solange sicher abgeschaltetes Moment nicht aktiv ist (angenommen); bei 0 wird nicht geprüft</translation>
     </message>
     <message>
@@ -5064,11 +5052,11 @@ ab {}</translation>
         <translation>Bits des Statusworts; &quot;auto&quot; entscheidet nach der Firmware und prüft es</translation>
     </message>
     <message>
-        <source>Both probes, and how they stand to each other</source>
-        <translation>Beide Wegsensoren, und wie sie zueinander stehen</translation>
+        <source>Both probes, and the angle between them</source>
+        <translation>Beide Wegsensoren und der Winkel zwischen ihnen</translation>
     </message>
     <message>
-        <source>Both signals have the wrong sign: the pin stands half a turn off, or both bridges are reversed; check the angle reference</source>
+        <source>Both signals have the wrong sign: the pin is half a turn off, or both bridges are reversed; check the angle reference</source>
         <translation>Beide Signale haben das falsche Vorzeichen: Der Bolzen steht um eine halbe Umdrehung falsch, oder beide Brücken sind verpolt; den Winkelbezug prüfen</translation>
     </message>
     <message>
@@ -5144,8 +5132,8 @@ ab {}</translation>
         <translation>Kalibrieren</translation>
     </message>
     <message>
-        <source>Calibrating: {}. Look at the pin: take off what hangs on it, keep hands away.</source>
-        <translation>Kalibrierung: {}. Den Bolzen ansehen: abnehmen, was daran hängt, Hände weg.</translation>
+        <source>Calibrating: {}. Check the pin: remove the weights and keep your hands away.</source>
+        <translation>Kalibrierung: {}. Den Bolzen prüfen: Gewichte abnehmen, Hände weg.</translation>
     </message>
     <message>
         <source>Calibrating: {}. Nothing starts until it ends: close it, or press End calibration.</source>
@@ -5244,8 +5232,8 @@ ab {}</translation>
         <translation>Eine Studie wählen: hier werden ihre Punkte gezeichnet.</translation>
     </message>
     <message>
-        <source>Choose a test: what it came to stands here.</source>
-        <translation>Einen Versuch wählen: sein Ergebnis steht hier.</translation>
+        <source>Select a test to see its results.</source>
+        <translation>Einen Versuch auswählen, um sein Ergebnis zu sehen.</translation>
     </message>
     <message>
         <source>Choose settings</source>
@@ -5564,12 +5552,12 @@ ab {}</translation>
         <translation>Dauer, leer: bis zum Beenden</translation>
     </message>
     <message>
-        <source>Each reference was read once, which does not tell how well a reading repeats; take a second series</source>
-        <translation>Jeder Referenzwert wurde einmal gelesen, was nicht zeigt, wie gut sich eine Messung wiederholt; eine zweite Reihe aufnehmen</translation>
+        <source>Each reference was read once, so the repeatability of a reading is not known; take a second series</source>
+        <translation>Jeder Referenzwert wurde einmal gelesen, daher ist die Wiederholbarkeit nicht bekannt; eine zweite Reihe aufnehmen</translation>
     </message>
     <message>
-        <source>Each roll is a test with all guards, and a file of its own. You can close the wizard: the roll under way goes on to its end, and the map can be taken up again.</source>
-        <translation>Jeder Umlauf ist ein Versuch mit allen Wächtern und einer eigenen Datei. Der Assistent kann geschlossen werden: Der laufende Umlauf geht zu Ende, und die Karte kann später fortgesetzt werden.</translation>
+        <source>Each roll is a test with all limits active and its own file. You can close the wizard: the roll continues to its end, and the map can be continued later.</source>
+        <translation>Jeder Umlauf ist ein Versuch mit allen Grenzen und eigener Datei. Der Assistent kann geschlossen werden: Der Umlauf geht zu Ende, und die Karte kann später fortgesetzt werden.</translation>
     </message>
     <message>
         <source>Earlier</source>
@@ -5664,15 +5652,15 @@ ab {}</translation>
         <translation>F auf die Koppel, quer zur Kurbel, gegen den Uhrzeigersinn (Kraftsensor: umgekehrt)</translation>
     </message>
     <message>
-        <source>F on the follower, away from the crank&apos;s centre (the cell feels the opposite)</source>
-        <translation>F auf die Koppel, weg von der Kurbelmitte (der Kraftsensor spürt das Umgekehrte)</translation>
+        <source>F on the follower, away from the crank&apos;s centre (the cell carries the opposite force)</source>
+        <translation>F auf die Koppel, weg von der Kurbelmitte (am Kraftsensor wirkt die Gegenkraft)</translation>
     </message>
     <message>
         <source>Factor</source>
         <translation>Faktor</translation>
     </message>
     <message>
-        <source>Facts of the trip</source>
+        <source>Details of the trip</source>
         <translation>Angaben zur Abschaltung</translation>
     </message>
     <message>
@@ -5688,8 +5676,8 @@ ab {}</translation>
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Felt / applied force</source>
-        <translation>Gefühlte / aufgebrachte Kraft</translation>
+        <source>Measured / applied force</source>
+        <translation>Gemessene / aufgebrachte Kraft</translation>
     </message>
     <message>
         <source>Figure {}</source>
@@ -5832,31 +5820,31 @@ ab {}</translation>
         <translation>Fort&amp;fahren</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
-        <source>Go on editing</source>
+        <source>Continue editing</source>
         <translation>Weiter bearbeiten</translation>
     </message>
     <message>
-        <source>Go on viewing</source>
+        <source>Continue viewing</source>
         <translation>Weiter zusehen</translation>
     </message>
     <message>
-        <source>Go on with an interrupted or stopped test</source>
+        <source>Resume an interrupted or stopped test</source>
         <translation>Einen unterbrochenen oder angehaltenen Versuch fortsetzen</translation>
     </message>
     <message>
-        <source>Go on with the paused test</source>
+        <source>Resume the paused test</source>
         <translation>Den angehaltenen Versuch fortsetzen</translation>
     </message>
     <message>
-        <source>Go on with the test</source>
+        <source>Resume the test</source>
         <translation>Versuch fortsetzen</translation>
     </message>
     <message>
-        <source>Go on with the test in its own file</source>
+        <source>Resume the test in its own file</source>
         <translation>Den Versuch in seiner eigenen Datei fortsetzen</translation>
     </message>
     <message>
@@ -5892,7 +5880,7 @@ ab {}</translation>
         <translation>Den Zähler am Ende seines Bereichs anhalten, statt ihn überlaufen zu lassen</translation>
     </message>
     <message>
-        <source>Hold the picture</source>
+        <source>Freeze the picture</source>
         <translation>Das Bild festhalten</translation>
     </message>
     <message>
@@ -5900,20 +5888,20 @@ ab {}</translation>
         <translation>Rechner außer Betrieb</translation>
     </message>
     <message>
-        <source>How far it is</source>
-        <translation>Wie weit es ist</translation>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>How it ended</source>
         <translation>Wie er endete</translation>
     </message>
     <message>
-        <source>How it stands</source>
-        <translation>Wie es steht</translation>
+        <source>State</source>
+        <translation>Zustand</translation>
     </message>
     <message>
-        <source>How long step {} is</source>
-        <translation>Wie lang Schritt {} ist</translation>
+        <source>Length of step {}</source>
+        <translation>Länge von Schritt {}</translation>
     </message>
     <message>
         <source>How long to wait for the answer to a command</source>
@@ -5924,12 +5912,12 @@ ab {}</translation>
         <translation>Wie lange auf die Antwort zu einer Anfrage gewartet wird</translation>
     </message>
     <message>
-        <source>How many checks are good</source>
-        <translation>Wie viele Prüfungen gut sind</translation>
+        <source>Number of passed checks</source>
+        <translation>Zahl der bestandenen Prüfungen</translation>
     </message>
     <message>
-        <source>How often the device is asked for lost data while it streams</source>
-        <translation>Wie oft das Gerät während der Messung nach verlorenen Daten gefragt wird</translation>
+        <source>How often the device is queried for lost data while it streams</source>
+        <translation>Wie oft das Gerät während der Messung nach verlorenen Daten abgefragt wird</translation>
     </message>
     <message>
         <source>How the test ended</source>
@@ -5944,12 +5932,12 @@ ab {}</translation>
         <translation>Ruhe</translation>
     </message>
     <message>
-        <source>If it comes again, check the encoder&apos;s cable, shield and supply.</source>
-        <translation>Kommt es wieder: Kabel, Schirm und Versorgung des Drehgebers prüfen.</translation>
+        <source>If it happens again, check the encoder&apos;s cable, shield and supply.</source>
+        <translation>Tritt es wieder auf: Kabel, Schirm und Versorgung des Drehgebers prüfen.</translation>
     </message>
     <message>
-        <source>Input S3 is not set to emergency stop: a button on it stops nothing. Set it with the maker&apos;s tool</source>
-        <translation>Der Eingang S3 ist nicht als Not-Halt eingestellt: ein Taster daran hält nichts an. Mit dem Programm des Herstellers einstellen</translation>
+        <source>Input S3 is not set to emergency stop: a button on it has no effect. Set it with the maker&apos;s tool</source>
+        <translation>Der Eingang S3 ist nicht als Not-Halt eingestellt: ein Taster daran ist wirkungslos. Mit dem Programm des Herstellers einstellen</translation>
     </message>
     <message>
         <source>Input saturated</source>
@@ -6036,7 +6024,7 @@ ab {}</translation>
         <translation>Gelenkkraft von {}.</translation>
     </message>
     <message>
-        <source>Judged are revolutions at a steady speed, between the ramps and without a pause.</source>
+        <source>Evaluated are revolutions at a steady speed, between the ramps and without a pause.</source>
         <translation>Bewertet sind Umdrehungen bei gleichmäßiger Drehzahl, zwischen den Rampen und ohne Pause.</translation>
     </message>
     <message>
@@ -6076,8 +6064,8 @@ ab {}</translation>
         <translation>Diesen Winkel behalten und die Wasserwaage umdrehen</translation>
     </message>
     <message>
-        <source>Keeps all that is said on the line and packs it with log, rig file and versions into one file for whoever helps you. Names, folders, addresses and keys are taken out.</source>
-        <translation>Hält alles fest, was auf der Leitung gesagt wird, und packt es mit Protokoll, Prüfstandsdatei und Versionen in eine Datei für den, der hilft. Namen, Ordner, Adressen und Schlüssel werden entfernt.</translation>
+        <source>Records all device traffic and packs it with log, rig file and versions into one file to send with a bug report. Names, folders, addresses and keys are removed.</source>
+        <translation>Zeichnet den Datenverkehr der Geräte auf und packt ihn mit Protokoll, Prüfstandsdatei und Versionen in eine Datei für den Fehlerbericht. Namen, Ordner, Adressen und Schlüssel werden entfernt.</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -6112,8 +6100,8 @@ ab {}</translation>
         <translation>Das Kriechen aus&amp;lassen</translation>
     </message>
     <message>
-        <source>Leave the file of a running test alone. Look where it is now before you copy it.</source>
-        <translation>Die Datei eines laufenden Versuchs in Ruhe lassen. Vor dem Kopieren nachsehen, wo sie jetzt ist.</translation>
+        <source>Do not move the file of a running test. Check where it is now before you copy it.</source>
+        <translation>Die Datei eines laufenden Versuchs nicht verschieben. Vor dem Kopieren prüfen, wo sie jetzt ist.</translation>
     </message>
     <message>
         <source>Leave the rig file as it is</source>
@@ -6240,55 +6228,55 @@ ab {}</translation>
         <translation>Längste Wartezeit auf die Antwort zu einer Anfrage</translation>
     </message>
     <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
+        <source>View</source>
+        <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Look at force, temperature and speed about that revolution, at lubrication and debris; note what was done.</source>
-        <translation>Kraft, Temperatur und Drehzahl um diese Umdrehung ansehen, dazu Schmierung und Abrieb; notieren, was getan wurde.</translation>
+        <source>Check force, temperature and speed near that revolution, and lubrication and debris. Note what was done.</source>
+        <translation>Kraft, Temperatur und Drehzahl um diese Umdrehung prüfen, dazu Schmierung und Abrieb. Notieren, was getan wurde.</translation>
     </message>
     <message>
-        <source>Look at joint, spring and guide; check the zero; then reset and start again.</source>
-        <translation>Gelenk, Feder und Führung ansehen; den Nullpunkt prüfen; dann zurücksetzen und neu starten.</translation>
+        <source>Check joint, spring, guide and the zero; then reset and start again.</source>
+        <translation>Gelenk, Feder, Führung und Nullpunkt prüfen; dann zurücksetzen und neu starten.</translation>
     </message>
     <message>
-        <source>Look at supply, temperature and load of the drive.</source>
-        <translation>Versorgung, Temperatur und Last des Antriebs ansehen.</translation>
+        <source>Check supply, temperature and load of the drive.</source>
+        <translation>Versorgung, Temperatur und Last des Antriebs prüfen.</translation>
     </message>
     <message>
-        <source>Look at the crank before you reach in. Then mend the encoder, and connect.</source>
-        <translation>Die Kurbel ansehen, bevor Sie hineingreifen. Dann den Drehgeber instand setzen und verbinden.</translation>
+        <source>Check that the crank is at rest before you reach in. Then repair the encoder and connect.</source>
+        <translation>Prüfen, dass die Kurbel steht, bevor Sie hineingreifen. Dann den Drehgeber instand setzen und verbinden.</translation>
     </message>
     <message>
-        <source>Look at the network and the server, and at rigapp notify --test; what waits is kept.</source>
-        <translation>Netz und Server ansehen, und rigapp notify --test; was wartet, bleibt erhalten.</translation>
+        <source>Check the network and the server, and rigapp notify --test. Waiting messages are kept.</source>
+        <translation>Netz und Server prüfen, und rigapp notify --test. Wartende Nachrichten bleiben erhalten.</translation>
     </message>
     <message>
-        <source>Look at the rig, then go on with the test (Results, or rigapp resume), or begin another.</source>
-        <translation>Den Prüfstand ansehen, dann den Versuch fortsetzen (Ergebnisse, oder rigapp resume) oder einen anderen beginnen.</translation>
+        <source>Check the rig, then resume the test (Results, or rigapp resume), or begin another.</source>
+        <translation>Den Prüfstand prüfen, dann den Versuch fortsetzen (Ergebnisse, oder rigapp resume) oder einen anderen beginnen.</translation>
     </message>
     <message>
-        <source>Look at the signal, its sensor, its range and its cable.</source>
-        <translation>Das Signal, seinen Sensor, Bereich und Kabel ansehen.</translation>
+        <source>Check the signal, its sensor, its range and its cable.</source>
+        <translation>Das Signal, seinen Sensor, Bereich und Kabel prüfen.</translation>
     </message>
     <message>
-        <source>Look at the trend and the joint; go on with the test in its file, or end it here.</source>
-        <translation>Verlauf und Gelenk ansehen; den Versuch in seiner Datei fortsetzen oder hier beenden.</translation>
+        <source>Check the trend and the joint. Resume the test in its file, or end it here.</source>
+        <translation>Verlauf und Gelenk prüfen. Den Versuch in seiner Datei fortsetzen oder hier beenden.</translation>
     </message>
     <message>
-        <source>Look at the trend of this quantity; acknowledge, or change the limit with reason</source>
-        <translation>Den Verlauf dieser Größe ansehen; quittieren oder die Grenze mit Grund ändern</translation>
+        <source>Check the trend of this quantity. Acknowledge, or change the limit with a reason</source>
+        <translation>Den Verlauf dieser Größe prüfen. Quittieren oder die Grenze mit Grund ändern</translation>
     </message>
     <message>
-        <source>Look for a jam in joint, spring and guide; check the zero; then reset and start again.</source>
+        <source>Check joint, spring and guide for a jam, and the zero; then reset and start again.</source>
         <translation>Gelenk, Feder und Führung auf ein Klemmen prüfen, Nullpunkt prüfen; dann zurücksetzen und neu starten.</translation>
     </message>
     <message>
-        <source>Look, compare, report.</source>
+        <source>View, compare, report.</source>
         <translation>Ansehen, vergleichen, berichten.</translation>
     </message>
     <message>
-        <source>Looking for the engine of the rig. Results can be opened meanwhile.</source>
+        <source>Searching for the engine of the rig. Results can be opened meanwhile.</source>
         <translation>Die Steuerung des Prüfstands wird gesucht. Ergebnisse lassen sich schon öffnen.</translation>
     </message>
     <message>
@@ -6316,7 +6304,7 @@ ab {}</translation>
         <translation>Erstellt aus {}.</translation>
     </message>
     <message>
-        <source>Make room, or bring the folder back. Do not end the program before.</source>
+        <source>Free disk space, or restore the folder. Do not end the program before.</source>
         <translation>Platz schaffen oder den Ordner zurückbringen. Das Programm vorher nicht beenden.</translation>
     </message>
     <message>
@@ -6356,7 +6344,7 @@ ab {}</translation>
         <translation>Mai</translation>
     </message>
     <message>
-        <source>May stay empty until the port is known; the check of the rig names it.</source>
+        <source>May stay empty until the port is known; the check of the rig lists the ports.</source>
         <translation>Darf leer bleiben, bis der Anschluss bekannt ist; die Prüfung des Prüfstands nennt ihn.</translation>
     </message>
     <message>
@@ -6380,7 +6368,7 @@ ab {}</translation>
         <translation>Gemessen (durchgezogen). Zu diesen Zyklen ist keine Vorhersage gespeichert.</translation>
     </message>
     <message>
-        <source>Measured from the pin&apos;s places over {} {}: the envelope of the pin&apos;s circle, against the same bushing when it was new. The uncertainty (k = 2) holds noise, wear before the reference and elastic indentation, not that of the probes&apos; calibration. Angles that the pin never reached are unknown and not drawn. Depth, area and mass cover what was reached. 0° is the initial contact point, in the follower&apos;s frame.</source>
+        <source>Measured from the pin&apos;s positions over {} {}: the envelope of the pin&apos;s circle, against the same bushing when it was new. The uncertainty (k = 2) holds noise, wear before the reference and elastic indentation, not that of the probes&apos; calibration. Angles that the pin never reached are unknown and not drawn. Depth, area and mass cover what was reached. 0° is the initial contact point, in the follower&apos;s frame.</source>
         <translation>Aus den Lagen des Bolzens über {} {} gemessen: die Hüllkurve des Bolzenkreises gegen dieselbe Buchse im Neuzustand. Die Unsicherheit (k = 2) enthält Rauschen, Verschleiß vor der Referenz und elastische Eindrückung, nicht die der Kalibrierung der Wegsensoren. Winkel, die der Bolzen nie erreichte, sind nicht bekannt und nicht gezeichnet. Tiefe, Fläche und Masse umfassen, was erreicht wurde. 0° ist der anfängliche Berührpunkt, im Bezugssystem der Koppel.</translation>
     </message>
     <message>
@@ -6416,8 +6404,8 @@ ab {}</translation>
         <translation>Meldungen</translation>
     </message>
     <message>
-        <source>Messages do not get through</source>
-        <translation>Nachrichten kommen nicht durch</translation>
+        <source>Messages are not delivered</source>
+        <translation>Nachrichten werden nicht zugestellt</translation>
     </message>
     <message>
         <source>Micrometer &amp;shows</source>
@@ -6448,8 +6436,8 @@ ab {}</translation>
         <translation>Modell</translation>
     </message>
     <message>
-        <source>Model beside the data</source>
-        <translation>Modell neben den Daten</translation>
+        <source>Model and data</source>
+        <translation>Modell und Daten</translation>
     </message>
     <message>
         <source>Model number of the instrument</source>
@@ -6508,8 +6496,8 @@ ab {}</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Name of a new way</source>
-        <translation>Name eines neuen Wegs</translation>
+        <source>Name of a new recipient</source>
+        <translation>Name eines neuen Empfängers</translation>
     </message>
     <message>
         <source>Name of step {}</source>
@@ -6576,8 +6564,8 @@ ab {}</translation>
         <translation>Neuer Wert der gewählten Grenze</translation>
     </message>
     <message>
-        <source>New way</source>
-        <translation>Neuer Weg</translation>
+        <source>New recipient</source>
+        <translation>Neuer Empfänger</translation>
     </message>
     <message>
         <source>Newest values</source>
@@ -6636,11 +6624,11 @@ ab {}</translation>
         <translation>Keine Last wurde sowohl aufwärts als auch abwärts gelesen, sodass die Hysterese unbekannt ist; eine fallende Reihe hinzufügen</translation>
     </message>
     <message>
-        <source>No notes were written and nothing was changed during the test.</source>
+        <source>No notes were written and no settings changed during the test.</source>
         <translation>Während des Versuchs wurden keine Notizen geschrieben und nichts geändert.</translation>
     </message>
     <message>
-        <source>No other test of the queue begins.</source>
+        <source>No other test of the queue starts.</source>
         <translation>Kein weiterer Versuch der Warteschlange beginnt.</translation>
     </message>
     <message>
@@ -6716,7 +6704,7 @@ ab {}</translation>
         <translation>Kein abgeschalteter Versuch ist gewählt. Einen unter Ergebnisse wählen, dann Abschaltung drücken.</translation>
     </message>
     <message>
-        <source>No whole cycle is saved.</source>
+        <source>No complete cycle is saved.</source>
         <translation>Kein ganzer Zyklus ist gespeichert.</translation>
     </message>
     <message>
@@ -6724,7 +6712,7 @@ ab {}</translation>
         <translation>In der Datei ist kein verschlissenes Profil aufgezeichnet.</translation>
     </message>
     <message>
-        <source>Nobody has a PIN yet: nobody can change limits of a running test.</source>
+        <source>Nobody has a PIN yet, so limits of a running test cannot be changed.</source>
         <translation>Noch hat niemand eine PIN: niemand kann Grenzwerte eines laufenden Versuchs ändern.</translation>
     </message>
     <message>
@@ -6732,8 +6720,8 @@ ab {}</translation>
         <translation>Niemand hat die Steuerung</translation>
     </message>
     <message>
-        <source>Nobody is told. Add a way: a URL as in mailtos:// or json://.</source>
-        <translation>Niemand wird benachrichtigt. Weg hinzufügen: eine URL wie mailtos:// oder json://.</translation>
+        <source>Nobody is notified. Add a recipient: a URL as in mailtos:// or json://.</source>
+        <translation>Niemand wird benachrichtigt. Empfänger hinzufügen: eine URL wie mailtos:// oder json://.</translation>
     </message>
     <message>
         <source>Node id of the drive</source>
@@ -6748,8 +6736,8 @@ ab {}</translation>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>None yet: a limit tells when the joint changes.</source>
-        <translation>Noch keine: Eine Grenze sagt, wann sich das Gelenk ändert.</translation>
+        <source>None yet: a limit warns when the joint changes.</source>
+        <translation>Noch keine: Eine Grenze warnt, wenn sich das Gelenk ändert.</translation>
     </message>
     <message>
         <source>None: every revolution follows the one before.</source>
@@ -6800,32 +6788,32 @@ ab {}</translation>
         <translation>Notizen und Änderungen</translation>
     </message>
     <message>
-        <source>Nothing hangs on the pin: end the calibration</source>
-        <translation>Am Bolzen hängt nichts: die Kalibrierung beenden</translation>
+        <source>The pin carries no weight: end the calibration</source>
+        <translation>Der Bolzen trägt kein Gewicht: die Kalibrierung beenden</translation>
     </message>
     <message>
-        <source>Nothing is known of any of the tests</source>
-        <translation>Über keinen der Versuche ist etwas bekannt</translation>
+        <source>No data for any of the tests</source>
+        <translation>Keine Daten zu den Versuchen</translation>
     </message>
     <message>
-        <source>Nothing is lost; the test goes on and is recorded.</source>
-        <translation>Nichts ist verloren; der Versuch geht weiter und wird aufgezeichnet.</translation>
+        <source>No data are lost; the test continues and is recorded.</source>
+        <translation>Keine Daten sind verloren; der Versuch geht weiter und wird aufgezeichnet.</translation>
     </message>
     <message>
-        <source>Nothing is running: there is nothing to stop.</source>
+        <source>Nothing is running, so there is nothing to stop.</source>
         <translation>Nichts läuft: Es gibt nichts zu stoppen.</translation>
     </message>
     <message>
-        <source>Nothing lost</source>
-        <translation>Nichts verloren</translation>
+        <source>No data lost</source>
+        <translation>Keine Daten verloren</translation>
     </message>
     <message>
-        <source>Nothing turns by itself; what the file holds is safe.</source>
-        <translation>Nichts dreht sich von selbst; was in der Datei steht, ist sicher.</translation>
+        <source>Nothing moves by itself; recorded data are safe.</source>
+        <translation>Nichts bewegt sich von selbst; aufgezeichnete Daten sind sicher.</translation>
     </message>
     <message>
-        <source>Nothing was done</source>
-        <translation>Nichts wurde unternommen</translation>
+        <source>No action taken</source>
+        <translation>Keine Aktion</translation>
     </message>
     <message>
         <source>Nov</source>
@@ -6968,7 +6956,7 @@ ab {}</translation>
         <translation>PIN</translation>
     </message>
     <message>
-        <source>PIN of somebody who has one</source>
+        <source>PIN of an operator who has one</source>
         <translation>PIN von jemandem, der eine hat</translation>
     </message>
     <message>
@@ -7060,8 +7048,8 @@ ab {}</translation>
         <translation>Plan und Gewichte</translation>
     </message>
     <message>
-        <source>Plan fewer whole cycles, or a new test.</source>
-        <translation>Weniger ganze Zyklen oder einen neuen Versuch planen.</translation>
+        <source>Plan fewer stored cycles, or a new test.</source>
+        <translation>Weniger gespeicherte Zyklen oder einen neuen Versuch planen.</translation>
     </message>
     <message>
         <source>Play  F7</source>
@@ -7140,7 +7128,7 @@ ab {}</translation>
         <translation>Vor dem Griff in den Prüfstand den Not-Halt drücken.</translation>
     </message>
     <message>
-        <source>Press the emergency stop. Do not touch the rig before the crank stands.</source>
+        <source>Press the emergency stop. Do not touch the rig before the crank is at rest.</source>
         <translation>Not-Halt drücken. Den Prüfstand nicht berühren, bevor die Kurbel steht.</translation>
     </message>
     <message>
@@ -7196,16 +7184,16 @@ ab {}</translation>
         <translation>Messwerte mit einer CRC-16 schützen (Firmware 1.56 oder neuer); auto tut es, wo Firmware und Leitung es können. Ohne sie wartet ein Messwert auf den nächsten</translation>
     </message>
     <message>
-        <source>Put it right; rigapp queue start goes on with this test, rigapp queue remove leaves it out.</source>
-        <translation>In Ordnung bringen; rigapp queue start setzt diesen Versuch fort, rigapp queue remove lässt ihn aus.</translation>
+        <source>Correct it, then resume this test with rigapp queue start, or remove it with rigapp queue remove.</source>
+        <translation>Berichtigen; dann mit rigapp queue start fortsetzen oder mit rigapp queue remove entfernen.</translation>
     </message>
     <message>
         <source>Put step {} earlier</source>
         <translation>Schritt {} früher setzen</translation>
     </message>
     <message>
-        <source>Put the notice away</source>
-        <translation>Die Meldung wegräumen</translation>
+        <source>Close the notice</source>
+        <translation>Die Meldung schließen</translation>
     </message>
     <message>
         <source>Quality of the data</source>
@@ -7292,8 +7280,8 @@ ab {}</translation>
         <translation>&amp;Grund</translation>
     </message>
     <message>
-        <source>Read everything in one packet (command 73); &quot;auto&quot; asks the drive once whether it can</source>
-        <translation>Alles in einem Paket lesen (Befehl 73); &quot;auto&quot; fragt den Antrieb einmal, ob er es kann</translation>
+        <source>Read everything in one packet (command 73); &quot;auto&quot; checks once whether the drive supports it</source>
+        <translation>Alles in einem Paket lesen (Befehl 73); &quot;auto&quot; prüft einmal, ob der Antrieb es kann</translation>
     </message>
     <message>
         <source>Read it again</source>
@@ -7320,7 +7308,7 @@ ab {}</translation>
         <translation>Die Abschaltung wird gelesen …</translation>
     </message>
     <message>
-        <source>Reading what the test came to …</source>
+        <source>Reading the results …</source>
         <translation>Das Ergebnis wird gelesen …</translation>
     </message>
     <message>
@@ -7408,11 +7396,11 @@ ab {}</translation>
         <translation>Aufzeichnung von {}: {:.0f} s, noch {:.0f} s.</translation>
     </message>
     <message>
-        <source>Recording {}: {:.0f} s. End and pack it when you have seen it.</source>
+        <source>Recording {}: {:.0f} s. End and pack it when you have seen the fault.</source>
         <translation>Aufzeichnung von {}: {:.0f} s. Beenden und packen, sobald der Fehler zu sehen war.</translation>
     </message>
     <message>
-        <source>Records how the devices are found and set up, too. Not while a test runs.</source>
+        <source>Also records how the devices are found and set up. Not during a test.</source>
         <translation>Zeichnet auch auf, wie die Geräte gefunden und eingestellt werden. Nicht während eines Versuchs.</translation>
     </message>
     <message>
@@ -7452,20 +7440,20 @@ ab {}</translation>
         <translation>Ursache beheben</translation>
     </message>
     <message>
-        <source>Remove the cause as the drive&apos;s manual says, then reset.</source>
-        <translation>Die Ursache nach dem Handbuch des Antriebs beheben, dann zurücksetzen.</translation>
+        <source>Remove the cause (see the drive&apos;s manual), then reset.</source>
+        <translation>Die Ursache beheben (siehe das Handbuch des Antriebs), dann zurücksetzen.</translation>
     </message>
     <message>
         <source>Remove the cause, then connect the devices</source>
         <translation>Die Ursache beheben, dann die Geräte verbinden</translation>
     </message>
     <message>
-        <source>Remove the chosen way</source>
-        <translation>Den gewählten Weg entfernen</translation>
+        <source>Remove the selected recipient</source>
+        <translation>Den gewählten Empfänger entfernen</translation>
     </message>
     <message>
-        <source>Remove the chosen way; those of the rig file stand there</source>
-        <translation>Den gewählten Weg entfernen; die der Prüfstandsdatei stehen dort</translation>
+        <source>Remove the selected recipient; those of the rig file stay</source>
+        <translation>Den gewählten Empfänger entfernen; die der Prüfstandsdatei bleiben</translation>
     </message>
     <message>
         <source>Repeat from step</source>
@@ -7496,8 +7484,8 @@ ab {}</translation>
         <translation>Zurücksetzen nach Abschaltung</translation>
     </message>
     <message>
-        <source>Reset: the deliberate step before another start. Nothing moves</source>
-        <translation>Zurücksetzen: der bewusste Schritt vor einem weiteren Start. Nichts bewegt sich</translation>
+        <source>Reset to clear the fault. Nothing will move</source>
+        <translation>Zurücksetzen, um die Störung zu löschen. Nichts bewegt sich</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -7554,14 +7542,6 @@ ab {}</translation>
     <message>
         <source>Results folder</source>
         <translation>Ergebnisordner</translation>
-    </message>
-    <message>
-        <source>Resume the paused test</source>
-        <translation>Den angehaltenen Versuch fortsetzen</translation>
-    </message>
-    <message>
-        <source>Resume the test</source>
-        <translation>Versuch fortsetzen</translation>
     </message>
     <message>
         <source>Reviewer, date</source>
@@ -7756,8 +7736,8 @@ ab {}</translation>
         <translation>Suche läuft …</translation>
     </message>
     <message>
-        <source>Seen at rest</source>
-        <translation>In Ruhe gesehen</translation>
+        <source>Confirmed at rest</source>
+        <translation>Stillstand bestätigt</translation>
     </message>
     <message>
         <source>Send a test &amp;message</source>
@@ -7796,7 +7776,7 @@ ab {}</translation>
         <translation>Die Seite bereitstellen</translation>
     </message>
     <message>
-        <source>Serve the page no longer</source>
+        <source>Stop serving the page</source>
         <translation>Die Seite nicht mehr bereitstellen</translation>
     </message>
     <message>
@@ -7804,11 +7784,11 @@ ab {}</translation>
         <translation>PIN setzen</translation>
     </message>
     <message>
-        <source>Set it right in the rig file, connect again, and compare both speeds on the Devices tab.</source>
+        <source>Correct it in the rig file, reconnect, and compare both speeds on the Devices tab.</source>
         <translation>In der Prüfstandsdatei berichtigen, neu verbinden und beide Drehzahlen auf der Seite Geräte vergleichen.</translation>
     </message>
     <message>
-        <source>Set it right, connect again, and watch the first turn.</source>
+        <source>Correct it, reconnect, and watch the first turn.</source>
         <translation>Berichtigen, neu verbinden und die erste Umdrehung beobachten.</translation>
     </message>
     <message>
@@ -7912,8 +7892,8 @@ ab {}</translation>
         <translation>Signale jetzt</translation>
     </message>
     <message>
-        <source>Silence of an encoder-clocked stream after which the device is asked whether it lives</source>
-        <translation>Stille eines vom Drehgeber getakteten Stroms, nach der das Gerät gefragt wird, ob es lebt</translation>
+        <source>Silence of an encoder-clocked stream after which the device is queried</source>
+        <translation>Stille eines vom Drehgeber getakteten Stroms, nach der das Gerät abgefragt wird</translation>
     </message>
     <message>
         <source>Silence of an internally clocked stream that means a fault</source>
@@ -7992,7 +7972,7 @@ ab {}</translation>
         <translation>Drehzahl</translation>
     </message>
     <message>
-        <source>Speed of a UART or RS-422 line; without meaning on USB</source>
+        <source>Speed of a UART or RS-422 line; not used on USB</source>
         <translation>Baudrate einer UART- oder RS-422-Leitung; an USB ohne Bedeutung</translation>
     </message>
     <message>
@@ -8020,8 +8000,8 @@ ab {}</translation>
         <translation>Drehzahlen der Umläufe in Umdrehungen pro Minute</translation>
     </message>
     <message>
-        <source>Spindle not shown to stand</source>
-        <translation>Stillstand der Spindel nicht gezeigt</translation>
+        <source>Standstill not confirmed</source>
+        <translation>Stillstand nicht bestätigt</translation>
     </message>
     <message>
         <source>Spring</source>
@@ -8052,8 +8032,8 @@ ab {}</translation>
         <translation>Standardunsicherheit der Messschraube</translation>
     </message>
     <message>
-        <source>Stands in the log at what is done from this window. Empty: the login name.</source>
-        <translation>Steht im Protokoll bei allem, was von diesem Fenster aus geschieht. Leer: der Anmeldename.</translation>
+        <source>Name in the log for all actions from this window. Empty: the login name.</source>
+        <translation>Name im Protokoll für alle Handlungen von diesem Fenster. Leer: der Anmeldename.</translation>
     </message>
     <message>
         <source>Start</source>
@@ -8090,10 +8070,6 @@ ab {}</translation>
     <message>
         <source>Starting: the zeros are taken, then the spindle is brought to speed.</source>
         <translation>Anlauf: Die Nullpunkte werden genommen, dann wird die Spindel auf Drehzahl gebracht.</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>Zustand</translation>
     </message>
     <message>
         <source>State of the alarm</source>
@@ -8136,8 +8112,8 @@ ab {}</translation>
         <translation>Schritt davor</translation>
     </message>
     <message>
-        <source>Step in which the drive takes speeds, in rpm of the motor, from its manual, where the drive does not tell it (object 60A9); 0: as it tells</source>
-        <translation>Schritt, in dem der Antrieb Drehzahlen annimmt, in rpm des Motors, aus seinem Handbuch, wo er ihn nicht nennt (Objekt 60A9); 0: wie er ihn nennt</translation>
+        <source>Step of the drive&apos;s speed commands, in rpm of the motor, from its manual, where the drive does not report it (object 60A9); 0: as reported</source>
+        <translation>Schritt der Drehzahlbefehle des Antriebs, in rpm des Motors, aus seinem Handbuch, wo er ihn nicht meldet (Objekt 60A9); 0: wie gemeldet</translation>
     </message>
     <message>
         <source>Step of object 2200:1 (assumed)</source>
@@ -8200,12 +8176,12 @@ ab {}</translation>
         <translation>Stoppbits der Leitung</translation>
     </message>
     <message>
-        <source>Stop not seen</source>
-        <translation>Stillstand nicht gesehen</translation>
+        <source>Stop not confirmed</source>
+        <translation>Stillstand nicht bestätigt</translation>
     </message>
     <message>
-        <source>Stop other programs that write to this disk; look at its health and its network.</source>
-        <translation>Andere Programme beenden, die auf diese Festplatte schreiben; ihren Zustand und ihr Netz ansehen.</translation>
+        <source>Stop other programs that write to this disk. Check the disk and its network.</source>
+        <translation>Andere Programme beenden, die auf diese Festplatte schreiben. Festplatte und Netz prüfen.</translation>
     </message>
     <message>
         <source>Stop test, then close</source>
@@ -8228,7 +8204,7 @@ ab {}</translation>
         <translation>Auslauf</translation>
     </message>
     <message>
-        <source>Stopping the test; the window closes when the spindle stands.</source>
+        <source>Stopping the test. The window closes when the spindle is at rest.</source>
         <translation>Der Versuch wird gestoppt; das Fenster schließt, wenn die Spindel steht.</translation>
     </message>
     <message>
@@ -8296,10 +8272,6 @@ ab {}</translation>
         <translation>Tabelle, Parquet</translation>
     </message>
     <message>
-        <source>Take away</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Take control</source>
         <translation>Steuerung übernehmen</translation>
     </message>
@@ -8316,8 +8288,8 @@ ab {}</translation>
         <translation>Die Steuerung des Prüfstands übernehmen oder abgeben</translation>
     </message>
     <message>
-        <source>Take off what hangs on the pin, then end the calibration</source>
-        <translation>Abnehmen, was am Bolzen hängt, dann die Kalibrierung beenden</translation>
+        <source>Remove the weights from the pin, then end the calibration</source>
+        <translation>Gewichte vom Bolzen abnehmen, dann die Kalibrierung beenden</translation>
     </message>
     <message>
         <source>Take over control</source>
@@ -8328,31 +8300,31 @@ ab {}</translation>
         <translation>Übernehmen…</translation>
     </message>
     <message>
-        <source>Take the chosen test out of the queue; what it has recorded stays</source>
+        <source>Remove the selected test from the queue; its recording is kept</source>
         <translation>Den gewählten Versuch aus der Warteschlange nehmen; was er aufgezeichnet hat, bleibt</translation>
     </message>
     <message>
-        <source>Take the cursors away</source>
+        <source>Remove the cursors</source>
         <translation>Die Cursor entfernen</translation>
     </message>
     <message>
-        <source>Take the newest reading again; the others of its series stand</source>
+        <source>Repeat the newest reading; the others of its series are kept</source>
         <translation>Den neuesten Messwert wiederholen; die anderen seiner Reihe bleiben gültig</translation>
     </message>
     <message>
-        <source>Take the power off the motor at once; a test under way ends. This is not the emergency stop.</source>
+        <source>Switch off the motor power at once; a running test ends. This is not the emergency stop.</source>
         <translation>Die Leistung des Motors sofort ausschalten; ein laufender Versuch endet. Das ist nicht der Not-Halt.</translation>
     </message>
     <message>
-        <source>Take the present signals as zero force: the crank stands, the pin carries nothing. Old and new zero are logged; the calibration is not touched.</source>
-        <translation>Die jetzigen Signale als Kraft null nehmen: Die Kurbel steht, der Bolzen trägt nichts. Alter und neuer Nullpunkt kommen ins Protokoll; die Kalibrierung bleibt unberührt.</translation>
+        <source>Take the present signals as zero force: the crank is stationary and the pin unloaded. Old and new zero are logged; the calibration is not changed.</source>
+        <translation>Die jetzigen Signale als Kraft null nehmen: Die Kurbel steht, der Bolzen ist unbelastet. Alter und neuer Nullpunkt kommen ins Protokoll; die Kalibrierung ändert sich nicht.</translation>
     </message>
     <message>
-        <source>Take up {}</source>
+        <source>Continue {}</source>
         <translation>{} fortsetzen</translation>
     </message>
     <message>
-        <source>Tells of</source>
+        <source>Reports</source>
         <translation>Meldet</translation>
     </message>
     <message>
@@ -8392,8 +8364,8 @@ ab {}</translation>
         <translation>Prüfbericht: {} ({})</translation>
     </message>
     <message>
-        <source>Test {} did not end as planned, and the queue stopped there. Start the queue to go on with it in its own file, or remove it.</source>
-        <translation>Versuch {} endete nicht wie geplant, und die Warteschlange blieb dort stehen. Die Warteschlange beginnen, um ihn in seiner Datei fortzusetzen, oder ihn entfernen.</translation>
+        <source>Test {} did not end as planned, so the queue stopped. Start the queue to resume it in its own file, or remove it.</source>
+        <translation>Versuch {} endete nicht wie geplant, und die Warteschlange hielt an. Die Warteschlange starten, um ihn in seiner Datei fortzusetzen, oder ihn entfernen.</translation>
     </message>
     <message>
         <source>Tests</source>
@@ -8416,15 +8388,15 @@ ab {}</translation>
         <translation>Farb&amp;schema (F9)</translation>
     </message>
     <message>
-        <source>The &amp;load hangs still</source>
+        <source>The &amp;load is still</source>
         <translation>Die &amp;Last hängt ruhig</translation>
     </message>
     <message>
-        <source>The &amp;target stands before the probe</source>
+        <source>The &amp;target is in front of the probe</source>
         <translation>Das &amp;Ziel steht vor dem Wegsensor</translation>
     </message>
     <message>
-        <source>The PIN of somebody who has one is needed, too</source>
+        <source>The PIN of an operator who has one is needed, too</source>
         <translation>Auch die PIN von jemandem, der eine hat, wird gebraucht</translation>
     </message>
     <message>
@@ -8464,8 +8436,8 @@ ab {}</translation>
         <translation>Der gewählte Versuch</translation>
     </message>
     <message>
-        <source>The configuration is not as it was when the test began</source>
-        <translation>Die Konfiguration ist nicht wie zu Beginn des Versuchs</translation>
+        <source>The configuration has changed since the test began</source>
+        <translation>Die Konfiguration hat sich seit Beginn des Versuchs geändert</translation>
     </message>
     <message>
         <source>The crank angle is unknown, so the drive was switched off.</source>
@@ -8476,19 +8448,19 @@ ab {}</translation>
         <translation>Die tägliche Prüfung ist bestanden</translation>
     </message>
     <message>
-        <source>The deliberate action before another start: every critical alarm must be acknowledged and its cause gone. Nothing moves.</source>
-        <translation>Der bewusste Schritt vor einem neuen Start: Jeder kritische Alarm muss quittiert und seine Ursache weg sein. Nichts bewegt sich.</translation>
+        <source>Reset before the next start. Every critical alarm must be acknowledged and its cause removed. Nothing moves.</source>
+        <translation>Vor dem nächsten Start zurücksetzen. Jeder kritische Alarm muss quittiert und seine Ursache behoben sein. Nichts bewegt sich.</translation>
     </message>
     <message>
         <source>The desktop has no program for {}; it is in {}</source>
         <translation>Es gibt kein Programm für {}; die Datei ist {}</translation>
     </message>
     <message>
-        <source>The drive does not tell what its input S3 does: press the emergency stop before the first test</source>
-        <translation>Der Antrieb meldet nicht, was sein Eingang S3 bewirkt: vor dem ersten Versuch den Not-Halt betätigen</translation>
+        <source>The function of the drive&apos;s input S3 is unknown: press the emergency stop before the first test</source>
+        <translation>Die Funktion des Eingangs S3 am Antrieb ist unbekannt: vor dem ersten Versuch den Not-Halt betätigen</translation>
     </message>
     <message>
-        <source>The drive may be wrong. It got no command for its watchdog&apos;s time.</source>
+        <source>The drive may be wrong. It received no command within its watchdog&apos;s time.</source>
         <translation>Der Antrieb kann irren. Für die Zeit seiner Überwachung erhielt er keinen Befehl.</translation>
     </message>
     <message>
@@ -8520,8 +8492,8 @@ ab {}</translation>
         <translation>Die Dauer</translation>
     </message>
     <message>
-        <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it: Results (Ctrl+8), Go on with it.</source>
-        <translation>Die Steuerung ging zu Ende, während {test} im Zustand „{state}“ war; eine neue wurde gestartet. Der Wächter des Antriebs hält die Spindel selbst an. {saved} Umdrehungen sind sicher in {file}. Zum Fortsetzen: Ergebnisse (Strg+8), „Fortsetzen“.</translation>
+        <source>The engine ended while {test} was {state}, and a new one was started. The drive&apos;s own watchdog stops the spindle. {saved} revolutions are saved in {file}. To resume: Results (Ctrl+8), Resume test.</source>
+        <translation>Die Steuerung fiel aus, während {test} im Zustand „{state}“ war; eine neue wurde gestartet. Der Wächter des Antriebs hält die Spindel an. {saved} Umdrehungen sind in {file} gespeichert. Zum Fortsetzen: Ergebnisse (Strg+8), „Versuch fortsetzen“.</translation>
     </message>
     <message>
         <source>The engine has not answered for {}: every value is old.</source>
@@ -8540,7 +8512,7 @@ ab {}</translation>
         <translation>Die Fehler des simulierten Prüfstands sind nicht bekannt: {}</translation>
     </message>
     <message>
-        <source>The file does not tell the limits of the test.</source>
+        <source>The file does not state the limits of the test.</source>
         <translation>Die Datei nennt die Grenzen des Versuchs nicht.</translation>
     </message>
     <message>
@@ -8568,7 +8540,7 @@ ab {}</translation>
         <translation>Das Bezugssystem der Koppel braucht den Mechanismus des Versuchs, der unbekannt ist</translation>
     </message>
     <message>
-        <source>The force is not known, an overload would not be seen: the test was ended and the spindle stopped. The samples since then are flagged.</source>
+        <source>The force is not known, so an overload would not be detected: the test was ended and the spindle stopped. The samples since then are flagged.</source>
         <translation>Die Kraft ist nicht bekannt, eine Überlast würde nicht bemerkt: Der Versuch wurde beendet und die Spindel angehalten. Die Messwerte seither sind gekennzeichnet.</translation>
     </message>
     <message>
@@ -8600,7 +8572,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Gelenkkraft über den Versuch</translation>
     </message>
     <message>
-        <source>The joint wears otherwise than before</source>
+        <source>The wear of the joint has changed</source>
         <translation>Das Gelenk verschleißt anders als zuvor</translation>
     </message>
     <message>
@@ -8608,7 +8580,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Der Kraftsensor sandte einen Wert, der keine Zahl ist.</translation>
     </message>
     <message>
-        <source>The loads do not tell the two axes apart; take more pin angles and loads</source>
+        <source>The loads do not separate the two axes; take more pin angles and loads</source>
         <translation>Die Lasten unterscheiden die beiden Achsen nicht; mehr Bolzenwinkel und Lasten nehmen</translation>
     </message>
     <message>
@@ -8616,7 +8588,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Das Protokoll hat keine Einträge.</translation>
     </message>
     <message>
-        <source>The log was full: {} could not be kept.</source>
+        <source>The log was full: {} were not recorded.</source>
         <translation>Das Protokoll war voll: {} konnten nicht aufbewahrt werden.</translation>
     </message>
     <message>
@@ -8664,24 +8636,24 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Plan und alle Messungen sind die des Journals.</translation>
     </message>
     <message>
-        <source>The power was taken off: without its watchdog a drive turns on if this computer fails.</source>
+        <source>The motor power was switched off: without its watchdog a drive keeps turning if this computer fails.</source>
         <translation>Der Antrieb wurde stromlos geschaltet: Ohne Überwachung dreht er weiter, wenn dieser Rechner ausfällt.</translation>
     </message>
     <message>
         <source>The preload is d&amp;one</source>
-        <translation>Die V&amp;orlast ist getan</translation>
+        <translation>Die V&amp;orlast ist erledigt</translation>
     </message>
     <message>
         <source>The queue has stopped</source>
-        <translation>Die Warteschlange ist stehen geblieben</translation>
+        <translation>Die Warteschlange wurde angehalten</translation>
     </message>
     <message>
-        <source>The queue stands; {} to be done.</source>
-        <translation>Die Warteschlange steht; {} zu erledigen.</translation>
+        <source>Queue paused; {} to be done.</source>
+        <translation>Warteschlange angehalten; {} zu erledigen.</translation>
     </message>
     <message>
-        <source>The queue works: the next test begins by itself; {} to be done.</source>
-        <translation>Die Warteschlange arbeitet: der nächste Versuch beginnt von selbst; {} zu erledigen.</translation>
+        <source>Queue running: the next test starts by itself; {} to be done.</source>
+        <translation>Warteschlange läuft: Der nächste Versuch startet von selbst; {} zu erledigen.</translation>
     </message>
     <message>
         <source>The rate is that of a straight line through the last half. The uncertainty of the measured depth (k = 2) holds noise, the wear before the reference and the change of the elastic approach, not the probes&apos; calibration. Figure 1 shows the depth.</source>
@@ -8732,7 +8704,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Das Siegel ist beschädigt</translation>
     </message>
     <message>
-        <source>The seal that was in the file is not there any more</source>
+        <source>The seal in the file is missing</source>
         <translation>Das Siegel in der Datei fehlt</translation>
     </message>
     <message>
@@ -8752,7 +8724,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Die Spindel dreht sich etwa {:.0f} min.</translation>
     </message>
     <message>
-        <source>The spindle turns slowly with the follower on the pin and an unworn bushing, whose probes then see the pin&apos;s own run-out. Two speeds tell inertia from run-out.</source>
+        <source>The spindle turns slowly with the follower on the pin and an unworn bushing, so the probes measure the pin&apos;s own run-out. Two speeds separate inertia from run-out.</source>
         <translation>Die Spindel dreht langsam, mit der Koppel auf dem Bolzen und einer neuen Buchse; die Wegsensoren sehen dann den Rundlauf des Bolzens selbst. Zwei Drehzahlen trennen Trägheit und Rundlauf.</translation>
     </message>
     <message>
@@ -8764,48 +8736,48 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Der Status des Versuchs ist {}.</translation>
     </message>
     <message>
-        <source>The stop was commanded, but the drive could not be asked</source>
-        <translation>Der Stopp wurde befohlen, aber der Antrieb ließ sich nicht fragen</translation>
+        <source>The stop was commanded, but the drive did not answer</source>
+        <translation>Der Stopp wurde befohlen, aber der Antrieb antwortete nicht</translation>
     </message>
     <message>
-        <source>The study has no table yet: it is under way, or was killed. What is done is safe, and the same command goes on with it</source>
-        <translation>Die Studie hat noch keine Tabelle: sie läuft, oder wurde abgebrochen. Was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
+        <source>The study has no table yet: it is running, or was interrupted. Finished points are saved; the same command continues it</source>
+        <translation>Die Studie hat noch keine Tabelle: Sie läuft oder wurde unterbrochen. Fertige Punkte sind gespeichert; derselbe Befehl setzt sie fort</translation>
     </message>
     <message>
-        <source>The test goes on</source>
+        <source>The test continues</source>
         <translation>Der Versuch läuft weiter</translation>
     </message>
     <message>
-        <source>The test goes on and is recorded; windows may show nothing and cannot command it.</source>
+        <source>The test continues and is recorded. Windows may be blank and cannot control it.</source>
         <translation>Der Versuch geht weiter und wird aufgezeichnet; Fenster zeigen vielleicht nichts und können ihn nicht bedienen.</translation>
     </message>
     <message>
-        <source>The test goes on without this criterion.</source>
+        <source>The test continues without this criterion.</source>
         <translation>Der Versuch geht ohne dieses Kriterium weiter.</translation>
     </message>
     <message>
-        <source>The test goes on, its data wait in memory; after 20 s it would be stopped.</source>
+        <source>The test continues and its data wait in memory; after 20 s it would be stopped.</source>
         <translation>Der Versuch geht weiter, seine Daten warten im Speicher; nach 20 s würde er gestoppt.</translation>
     </message>
     <message>
-        <source>The test goes on. Its data are kept only as long as this program runs; saving them is tried again every few seconds.</source>
+        <source>The test continues. Its data are kept only while this program runs; saving is retried every few seconds.</source>
         <translation>Der Versuch geht weiter. Seine Daten bleiben nur, solange dieses Programm läuft; alle paar Sekunden wird neu versucht, sie zu sichern.</translation>
     </message>
     <message>
-        <source>The test goes on; remaining life and wear coefficient follow what is new slowly.</source>
-        <translation>Der Versuch geht weiter; Restlebensdauer und Verschleißkoeffizient folgen dem Neuen langsam.</translation>
+        <source>The test continues; remaining life and wear coefficient follow the change slowly.</source>
+        <translation>Der Versuch geht weiter; Restlebensdauer und Verschleißkoeffizient folgen der Änderung langsam.</translation>
     </message>
     <message>
-        <source>The test goes on; wear and friction may be of another kind than in the range.</source>
-        <translation>Der Versuch geht weiter; Verschleiß und Reibung können anderer Art sein als im Bereich.</translation>
+        <source>The test continues. Wear and friction may differ from those within the range.</source>
+        <translation>Der Versuch geht weiter. Verschleiß und Reibung können anders sein als im Bereich.</translation>
     </message>
     <message>
-        <source>The test goes on; who is away may not be told what happens to it.</source>
-        <translation>Der Versuch geht weiter; wer nicht da ist, erfährt vielleicht nicht, was geschieht.</translation>
+        <source>The test continues; absent operators may not be notified.</source>
+        <translation>Der Versuch geht weiter; Abwesende werden vielleicht nicht benachrichtigt.</translation>
     </message>
     <message>
-        <source>The test has no stop.wear_depth_um, so nothing says when it ends</source>
-        <translation>Der Versuch hat kein stop.wear_depth_um, daher sagt nichts, wann er endet</translation>
+        <source>The test has no stop.wear_depth_um, so its end is not known</source>
+        <translation>Der Versuch hat kein stop.wear_depth_um, sein Ende ist daher nicht bekannt</translation>
     </message>
     <message>
         <source>The test is being started: this takes a few seconds.</source>
@@ -8816,7 +8788,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Der Versuch hält am sicheren Winkel an</translation>
     </message>
     <message>
-        <source>The test that runs goes on to its end; no other one begins</source>
+        <source>The running test continues to its end; no other one starts</source>
         <translation>Der laufende Versuch geht bis zu seinem Ende; kein anderer beginnt</translation>
     </message>
     <message>
@@ -8928,7 +8900,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Diese Fehler geschehen in den simulierten Geräten, auf der Leitung oder in den Signalen, nicht im Programm: Zu sehen ist, was ein wirklicher Fehler zeigen würde.</translation>
     </message>
     <message>
-        <source>This firmware does not tell how fast it takes the power off: watch it at the first stop</source>
+        <source>This firmware does not report how fast it removes the power: watch it at the first stop</source>
         <translation>Diese Firmware meldet nicht, wie schnell sie abschaltet: beim ersten Halt darauf achten</translation>
     </message>
     <message>
@@ -8936,8 +8908,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dies ist eine Wiedergabe: kein Prüfstand ist verbunden</translation>
     </message>
     <message>
-        <source>This page is yours: add tiles and plots, move them, and save them with the test file.</source>
-        <translation>Diese Seite ist Ihre: Kacheln und Diagramme hinzufügen, verschieben und mit der Versuchsdatei speichern.</translation>
+        <source>Arrange this page: add tiles and plots, move them, and save them with the test file.</source>
+        <translation>Diese Seite einrichten: Kacheln und Diagramme hinzufügen, verschieben und mit der Versuchsdatei speichern.</translation>
     </message>
     <message>
         <source>This rig does not have: {}.</source>
@@ -8948,7 +8920,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Dieser Prüfstand läuft so schnell er kann: für diesen Fehler {} wählen.</translation>
     </message>
     <message>
-        <source>This rig wants no PIN for limits. To want one, add [operators] with a file to the rig file.</source>
+        <source>This rig needs no PIN for limits. To require one, add [operators] with a file to the rig file.</source>
         <translation>Dieser Prüfstand verlangt keine PIN für Grenzwerte. Dazu [operators] mit einer Datei in die Prüfstandsdatei schreiben.</translation>
     </message>
     <message>
@@ -9192,11 +9164,11 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Warten: Die Geräte werden verbunden</translation>
     </message>
     <message>
-        <source>Wait: the spindle is brought to a stand and the file is finished</source>
-        <translation>Warten: Die Spindel wird zum Stehen gebracht und die Datei abgeschlossen</translation>
+        <source>Wait: the spindle is stopping and the file is being finished</source>
+        <translation>Warten: Die Spindel hält an, und die Datei wird abgeschlossen</translation>
     </message>
     <message>
-        <source>Waiting for the cause to go</source>
+        <source>Waiting until the cause is removed</source>
         <translation>Warten, bis die Ursache behoben ist</translation>
     </message>
     <message>
@@ -9216,16 +9188,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Betrieb</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>Weg</translation>
+        <source>Recipient</source>
+        <translation>Empfänger</translation>
     </message>
     <message>
-        <source>Way to the limit</source>
-        <translation>Weg zur Grenze</translation>
+        <source>Distance to the limit</source>
+        <translation>Abstand zur Grenze</translation>
     </message>
     <message>
-        <source>Ways to be told</source>
-        <translation>Meldewege</translation>
+        <source>Recipients</source>
+        <translation>Empfänger</translation>
     </message>
     <message>
         <source>Wear</source>
@@ -9292,19 +9264,11 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was ein neuer Prüfstand ist</translation>
     </message>
     <message>
-        <source>What became of it</source>
-        <translation>Was daraus wurde</translation>
-    </message>
-    <message>
         <source>What becomes of the readings between two scans; average delays by an unknown time</source>
         <translation>Was mit den Messungen zwischen zwei Abtastungen geschieht; average verzögert um eine unbekannte Zeit</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Was daraus wurde</translation>
-    </message>
-    <message>
-        <source>What counts later</source>
+        <source>What takes effect later</source>
         <translation>Was später gilt</translation>
     </message>
     <message>
@@ -9316,7 +9280,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was mit der Prüfstandsdatei geschieht</translation>
     </message>
     <message>
-        <source>What is computed stays; the same file goes on with it</source>
+        <source>Computed points are kept; the same file continues the study</source>
         <translation>Was gerechnet ist, bleibt; dieselbe Datei setzt es fort</translation>
     </message>
     <message>
@@ -9352,11 +9316,11 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was es ist</translation>
     </message>
     <message>
-        <source>What it rests on</source>
-        <translation>Worauf sie beruht</translation>
+        <source>Basis of the result</source>
+        <translation>Grundlage des Ergebnisses</translation>
     </message>
     <message>
-        <source>What it tells is not recorded until it answers; the test goes on.</source>
+        <source>Its values are not recorded until it answers; the test continues.</source>
         <translation>Was es meldet, wird erst aufgezeichnet, wenn es antwortet; der Versuch geht weiter.</translation>
     </message>
     <message>
@@ -9364,8 +9328,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was das Gerät abtasten lässt: die eigene Uhr oder jeder Puls des Drehgebers an Eingang D6</translation>
     </message>
     <message>
-        <source>What may be true of the coefficient, {}</source>
-        <translation>Was für den Koeffizienten gelten kann, {}</translation>
+        <source>Possible range of the coefficient, {}</source>
+        <translation>Möglicher Bereich des Koeffizienten, {}</translation>
     </message>
     <message>
         <source>What remains</source>
@@ -9376,8 +9340,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was soll kalibriert werden?</translation>
     </message>
     <message>
-        <source>What stands against it</source>
-        <translation>Was dagegen spricht</translation>
+        <source>What prevents it</source>
+        <translation>Hindernisse</translation>
     </message>
     <message>
         <source>What the control charts say</source>
@@ -9392,8 +9356,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was das Protokoll sagt</translation>
     </message>
     <message>
-        <source>What the name is for</source>
-        <translation>Wozu der Name dient</translation>
+        <source>Purpose of the name</source>
+        <translation>Zweck des Namens</translation>
     </message>
     <message>
         <source>What the number is</source>
@@ -9404,8 +9368,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was die Warteschlange tut</translation>
     </message>
     <message>
-        <source>What the readings until then tell: median and 95 % credible limits.</source>
-        <translation>Was die Werte bis dahin ergeben: Median und 95-%-Grenzen.</translation>
+        <source>Estimate from the readings until then: median and 95 % credible limits.</source>
+        <translation>Schätzung aus den Messungen bis dahin: Median und 95-%-Grenzen.</translation>
     </message>
     <message>
         <source>What the result depends on</source>
@@ -9416,16 +9380,16 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Wovon das Ergebnis am meisten abhängt</translation>
     </message>
     <message>
-        <source>What the search has found</source>
-        <translation>Was die Suche gefunden hat</translation>
+        <source>Result of the search</source>
+        <translation>Ergebnis der Suche</translation>
     </message>
     <message>
-        <source>What the study came to</source>
-        <translation>Was die Studie ergeben hat</translation>
+        <source>Results of the study</source>
+        <translation>Ergebnisse der Studie</translation>
     </message>
     <message>
-        <source>What the table of the power says</source>
-        <translation>Was die Tabelle der Trennschärfe sagt</translation>
+        <source>What the table of the detection power shows</source>
+        <translation>Was die Tabelle der Trennschärfe zeigt</translation>
     </message>
     <message>
         <source>What the training mode does</source>
@@ -9448,8 +9412,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was dieser Eingang zeigt, kann falsch sein.</translation>
     </message>
     <message>
-        <source>What this means</source>
-        <translation>Was das bedeutet</translation>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
     </message>
     <message>
         <source>What to do</source>
@@ -9464,8 +9428,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was abgeschaltet hat</translation>
     </message>
     <message>
-        <source>What was counted on the line</source>
-        <translation>Was auf der Leitung gezählt wurde</translation>
+        <source>Counters of the line</source>
+        <translation>Zähler der Leitung</translation>
     </message>
     <message>
         <source>What was done.</source>
@@ -9476,7 +9440,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
-        <source>What was looked at</source>
+        <source>What was checked</source>
         <translation>Was geprüft wurde</translation>
     </message>
     <message>
@@ -9488,8 +9452,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Wo</translation>
     </message>
     <message>
-        <source>Where a new way leads</source>
-        <translation>Wohin ein neuer Weg führt</translation>
+        <source>Address of a new recipient</source>
+        <translation>Adresse eines neuen Empfängers</translation>
     </message>
     <message>
         <source>Where data are missing</source>
@@ -9544,36 +9508,32 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Wer die Steuerung hat</translation>
     </message>
     <message>
-        <source>Who is told</source>
-        <translation>Wer benachrichtigt wird</translation>
-    </message>
-    <message>
         <source>Whole cycles</source>
         <translation>Ganze Zyklen</translation>
     </message>
     <message>
-        <source>Whole cycles kept around alarms, limits and notes</source>
-        <translation>Ganze Zyklen um Alarme, Grenzen und Notizen</translation>
+        <source>Cycles stored around alarms, limits and notes</source>
+        <translation>Zyklen, gespeichert um Alarme, Grenzen und Notizen</translation>
     </message>
     <message>
-        <source>Whole cycles not kept</source>
-        <translation>Ganze Zyklen nicht aufbewahrt</translation>
+        <source>Cycles not stored</source>
+        <translation>Zyklen nicht gespeichert</translation>
     </message>
     <message>
-        <source>Whole cycles of {}</source>
-        <translation>Ganze Zyklen von {}</translation>
+        <source>Complete cycles of {}</source>
+        <translation>Vollständige Zyklen von {}</translation>
     </message>
     <message>
-        <source>Whole cycles saved</source>
-        <translation>Gespeicherte ganze Zyklen</translation>
+        <source>Complete cycles saved</source>
+        <translation>Gespeicherte vollständige Zyklen</translation>
     </message>
     <message>
-        <source>Whole cycles to keep</source>
-        <translation>Ganze Zyklen, die bleiben</translation>
+        <source>Complete cycles to store</source>
+        <translation>Zu speichernde vollständige Zyklen</translation>
     </message>
     <message>
-        <source>Whole cycles, {}</source>
-        <translation>Ganze Zyklen, {}</translation>
+        <source>Complete cycles, {}</source>
+        <translation>Vollständige Zyklen, {}</translation>
     </message>
     <message>
         <source>Why the fault cannot be caused</source>
@@ -9592,7 +9552,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Warum es keine Prognose gibt</translation>
     </message>
     <message>
-        <source>Why this window only looks</source>
+        <source>Why this window is read-only</source>
         <translation>Warum dieses Fenster nur zusieht</translation>
     </message>
     <message>
@@ -9652,7 +9612,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Den Namen des Datensatzes in die Prüfstandsdatei schreiben</translation>
     </message>
     <message>
-        <source>Write the name of this record into {}? Comments and all else stay, and a copy of the file as it is now is kept beside it.</source>
+        <source>Write the name of this record into {}? Comments and everything else stay, and a copy of the present file is kept beside it.</source>
         <translation>Den Namen dieses Datensatzes in {} schreiben? Kommentare und alles andere bleiben, und eine Kopie der jetzigen Datei bleibt daneben.</translation>
     </message>
     <message>
@@ -9672,7 +9632,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>{} neben den Versuch schreiben</translation>
     </message>
     <message>
-        <source>Writes rig file, test file and calibration settings for real devices, each key with its meaning. Nothing is overwritten, and this window&apos;s rig stays as it is.</source>
+        <source>Writes rig file, test file and calibration settings for real devices, with the meaning of each key. Nothing is overwritten, and the rig of this window is not changed.</source>
         <translation>Schreibt Prüfstandsdatei, Versuchsdatei und Kalibriereinstellungen für echte Geräte, jeden Schlüssel mit seiner Bedeutung. Nichts wird überschrieben, und der Prüfstand dieses Fensters bleibt, wie er ist.</translation>
     </message>
     <message>
@@ -9712,7 +9672,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Nullpunkt, mit Grund</translation>
     </message>
     <message>
-        <source>[simulation] stands in the file of a real rig, where no device has port = &apos;simulated&apos;; remove the line [simulation] and the keys below it</source>
+        <source>[simulation] is in the file of a real rig, where no device has port = &apos;simulated&apos;; remove the line [simulation] and the keys below it</source>
         <translation>[simulation] steht in der Datei eines echten Prüfstands, in der kein Gerät port = &apos;simulated&apos; hat; die Zeile [simulation] und die Schlüssel darunter entfernen</translation>
     </message>
     <message>
@@ -9720,8 +9680,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>eine Bedingung für den Speicher ist nicht erfüllt</translation>
     </message>
     <message>
-        <source>a crank that stands still wears nothing</source>
-        <translation>eine stehende Kurbel verschleißt nichts</translation>
+        <source>a stationary crank causes no wear</source>
+        <translation>eine stehende Kurbel verursacht keinen Verschleiß</translation>
     </message>
     <message>
         <source>a critical alarm whose condition is over; it forbids a start until it is acknowledged and reset</source>
@@ -9760,8 +9720,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>eine Vollbrücke aus Folien-DMS ergibt ihren k-Faktor, 2, mal die Dehnung: 4 bei den 0.2 %, die gehärteter Stahl erträgt, etwa 2 bei den meisten Kraftsensoren</translation>
     </message>
     <message>
-        <source>a key that nobody named</source>
-        <translation>einem Schlüssel, den niemand genannt hat</translation>
+        <source>an unknown key</source>
+        <translation>ein unbekannter Schlüssel</translation>
     </message>
     <message>
         <source>a list</source>
@@ -9820,7 +9780,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>eine Kugel in einer Kugel, gleich welcher Breite; für eine Stoßzahl nahe 1</translation>
     </message>
     <message>
-        <source>a status that this program does not know</source>
+        <source>a status unknown to this program</source>
         <translation>ein Status, den dieses Programm nicht kennt</translation>
     </message>
     <message>
@@ -9828,11 +9788,11 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>dort wurde ein Schritt übersprungen: Jede Messung gehört zur nächsten Last</translation>
     </message>
     <message>
-        <source>a step was taken twice there: each reading belongs to the last one</source>
+        <source>a step was repeated there: each reading belongs to the previous one</source>
         <translation>dort wurde ein Schritt zweimal genommen: Jede Messung gehört zur vorigen</translation>
     </message>
     <message>
-        <source>a stop came before the speed was set</source>
+        <source>a stop arrived before the speed was set</source>
         <translation>ein Stopp kam, bevor die Drehzahl gesetzt war</translation>
     </message>
     <message>
@@ -9844,8 +9804,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ein Versuch</translation>
     </message>
     <message>
-        <source>a test is under way; stop it first</source>
-        <translation>ein Versuch ist im Gang; ihn erst stoppen</translation>
+        <source>a test is running; stop it first</source>
+        <translation>ein Versuch läuft; ihn zuerst stoppen</translation>
     </message>
     <message>
         <source>a text in quotation marks</source>
@@ -9856,15 +9816,19 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>ein Betrachter ohne Kennung kann die Steuerung nicht übernehmen</translation>
     </message>
     <message>
-        <source>a warning whose condition is over before anybody has acknowledged it; acknowledging takes it off the list</source>
-        <translation>eine Warnung, deren Bedingung vorbei ist, bevor jemand sie quittiert hat; das Quittieren nimmt sie von der Liste</translation>
+        <source>the condition of this warning ended before it was acknowledged; acknowledging removes it from the list</source>
+        <translation>die Bedingung dieser Warnung endete vor dem Quittieren; das Quittieren nimmt sie von der Liste</translation>
     </message>
     <message>
-        <source>a whole number</source>
+        <source>an integer</source>
         <translation>eine ganze Zahl</translation>
     </message>
     <message>
-        <source>a window looks on</source>
+        <source>No samples received while zeroing. Check the device</source>
+        <translation>Beim Nullen kamen keine Messwerte. Das Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>a window is read-only</source>
         <translation>ein Fenster schaut zu</translation>
     </message>
     <message>
@@ -10344,7 +10308,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>device time and host time parted</source>
+        <source>device time and host time drifted apart</source>
         <translation>Uhren von Gerät und Rechner liefen auseinander</translation>
     </message>
     <message>
@@ -10373,7 +10337,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
     </message>
     <message>
         <source>done</source>
-        <translation>getan</translation>
+        <translation>erledigt</translation>
     </message>
     <message>
         <source>drift during the calibration</source>
@@ -10416,7 +10380,7 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Not-Halt, verriegelnd (Voreinstellung)</translation>
     </message>
     <message>
-        <source>encoder count at the index differs from a whole turn</source>
+        <source>encoder count at the index is not a multiple of one turn</source>
         <translation>Zählerstand am Index weicht von einer ganzen Drehung ab</translation>
     </message>
     <message>
@@ -10514,8 +10478,8 @@ Versuchs</translation>
         <translation>Vermerk {}</translation>
     </message>
     <message>
-        <source>flags that this version does not know</source>
-        <translation>Vermerke, die diese Version nicht kennt</translation>
+        <source>flags unknown to this version</source>
+        <translation>Vermerke, die dieser Version unbekannt sind</translation>
     </message>
     <message>
         <source>flores</source>
@@ -10610,12 +10574,12 @@ Versuchs</translation>
         <translation>gut</translation>
     </message>
     <message>
-        <source>good now; {} samples lost, {} errors before</source>
-        <translation>jetzt gut; vorher {} Werte verloren, {} Fehler</translation>
+        <source>no errors now; {} samples lost, {} errors before</source>
+        <translation>jetzt keine Fehler; vorher {} Werte verloren, {} Fehler</translation>
     </message>
     <message>
-        <source>good, nothing lost</source>
-        <translation>gut, nichts verloren</translation>
+        <source>no errors, no data lost</source>
+        <translation>keine Fehler, keine Daten verloren</translation>
     </message>
     <message>
         <source>gravity</source>
@@ -10722,8 +10686,8 @@ Versuchs</translation>
         <translation>er endet nicht</translation>
     </message>
     <message>
-        <source>it does not tell in which unit it takes speeds; give velocity_step_rpm from its manual</source>
-        <translation>er nennt die Einheit seiner Drehzahlen nicht; velocity_step_rpm aus seinem Handbuch angeben</translation>
+        <source>it does not report the unit of its speed commands; give velocity_step_rpm from its manual</source>
+        <translation>er meldet die Einheit seiner Drehzahlbefehle nicht; velocity_step_rpm aus seinem Handbuch angeben</translation>
     </message>
     <message>
         <source>it has no limit of speed to set; rigapp alone keeps it</source>
@@ -10738,8 +10702,8 @@ Versuchs</translation>
         <translation>es gehört zu einem anderen Versuch</translation>
     </message>
     <message>
-        <source>it turns up or down along a ramp of its own, whatever the test file says; set that in the drive</source>
-        <translation>er beschleunigt oder bremst mit eigener Rampe, gleich was die Versuchsdatei sagt; sie im Antrieb einstellen</translation>
+        <source>it ramps up or down by its own setting, not by the test file&apos;s; change the ramp in the drive</source>
+        <translation>er beschleunigt und bremst nach seiner eigenen Einstellung, nicht nach der Versuchsdatei; die Rampe im Antrieb ändern</translation>
     </message>
     <message>
         <source>it was closed</source>
@@ -10806,8 +10770,8 @@ Versuchs</translation>
         <translation>beim Lesen seiner Eingänge</translation>
     </message>
     <message>
-        <source>its mechanism tells the elastic motion, its limits stay</source>
-        <translation>sein Getriebe sagt die elastische Bewegung, seine Grenzen bleiben</translation>
+        <source>its mechanism gives the elastic motion, its limits stay</source>
+        <translation>sein Getriebe ergibt die elastische Bewegung, seine Grenzen bleiben</translation>
     </message>
     <message>
         <source>its mode</source>
@@ -10826,8 +10790,8 @@ Versuchs</translation>
         <translation>beim Abschalten seiner Leistung</translation>
     </message>
     <message>
-        <source>its sign of life</source>
-        <translation>sein Lebenszeichen</translation>
+        <source>its heartbeat</source>
+        <translation>sein Heartbeat</translation>
     </message>
     <message>
         <source>its signature does not hold</source>
@@ -11076,10 +11040,6 @@ Modell (N)</translation>
         <translation>Mikrometer</translation>
     </message>
     <message>
-        <source>mind</source>
-        <translation>beachten</translation>
-    </message>
-    <message>
         <source>model by
 measured
 forces</source>
@@ -11232,7 +11192,7 @@ Kräften</translation>
         <translation>keine: die Felder unten genügen</translation>
     </message>
     <message>
-        <source>not asked for: the test has no stop.wear_depth_um</source>
+        <source>not requested: the test has no stop.wear_depth_um</source>
         <translation>nicht verlangt: Der Versuch hat kein stop.wear_depth_um</translation>
     </message>
     <message>
@@ -11300,8 +11260,12 @@ Kräften</translation>
         <translation>nichts</translation>
     </message>
     <message>
-        <source>nothing judged yet</source>
-        <translation>noch nichts beurteilt</translation>
+        <source>not evaluated yet</source>
+        <translation>noch nicht ausgewertet</translation>
+    </message>
+    <message>
+        <source>nobody controls this rig; take control first</source>
+        <translation>niemand hat die Steuerung dieses Prüfstands; zuerst die Steuerung übernehmen</translation>
     </message>
     <message>
         <source>now</source>
@@ -11846,8 +11810,8 @@ Mittel (µm)</translation>
         <translation>Quadrat</translation>
     </message>
     <message>
-        <source>stands</source>
-        <translation>gilt</translation>
+        <source>valid</source>
+        <translation>gültig</translation>
     </message>
     <message>
         <source>start</source>
@@ -11978,12 +11942,12 @@ Mittel (µm)</translation>
         <translation>die Buchse trägt zu wenig für die Elemente; das Gesetz pereira oder liu wählen</translation>
     </message>
     <message>
-        <source>the condition holds, and nobody has acknowledged it</source>
-        <translation>die Bedingung gilt, und niemand hat sie quittiert</translation>
+        <source>the condition is present and not acknowledged</source>
+        <translation>die Bedingung liegt vor und ist nicht quittiert</translation>
     </message>
     <message>
-        <source>the condition holds, and somebody has acknowledged it</source>
-        <translation>die Bedingung gilt, und jemand hat sie quittiert</translation>
+        <source>the condition is present and acknowledged</source>
+        <translation>die Bedingung liegt vor und ist quittiert</translation>
     </message>
     <message>
         <source>the configuration</source>
@@ -11998,8 +11962,8 @@ Mittel (µm)</translation>
         <translation>die Kurbel drehte rückwärts</translation>
     </message>
     <message>
-        <source>the critical alarm that came first since the last reset: look there first</source>
-        <translation>der kritische Alarm, der seit dem letzten Zurücksetzen zuerst kam: dort zuerst nachsehen</translation>
+        <source>the first critical alarm since the last reset: check its cause first</source>
+        <translation>der erste kritische Alarm seit dem letzten Zurücksetzen: seine Ursache zuerst prüfen</translation>
     </message>
     <message>
         <source>the device could not send in time: measured values were lost</source>
@@ -12026,7 +11990,7 @@ Mittel (µm)</translation>
         <translation>der Antrieb ist neu gestartet, und sein Motor ist aus; die Versorgung prüfen</translation>
     </message>
     <message>
-        <source>the drive itself warns, as a rule of its supply, temperature or load; what is damaged on its line is counted beside the device and is no warning</source>
+        <source>the drive reports a warning itself, usually about supply, temperature or load; errors on its line are counted beside the device and are no warning</source>
         <translation>der Antrieb selbst warnt, meist vor seiner Versorgung, Temperatur oder Last; was auf seiner Leitung beschädigt wird, ist beim Gerät gezählt und keine Warnung</translation>
     </message>
     <message>
@@ -12138,8 +12102,8 @@ Mittel (µm)</translation>
         <translation>die Vorhersage</translation>
     </message>
     <message>
-        <source>the prediction was not asked</source>
-        <translation>die Vorhersage wurde nicht gefragt</translation>
+        <source>the prediction was not requested</source>
+        <translation>die Vorhersage wurde nicht angefordert</translation>
     </message>
     <message>
         <source>the probes</source>
@@ -12154,7 +12118,7 @@ Mittel (µm)</translation>
         <translation>die Anfrage kam beschädigt an</translation>
     </message>
     <message>
-        <source>the revolution is not whole</source>
+        <source>the revolution is incomplete</source>
         <translation>die Umdrehung ist nicht vollständig</translation>
     </message>
     <message>
@@ -12166,7 +12130,7 @@ Mittel (µm)</translation>
         <translation>die Prüfstandsdatei</translation>
     </message>
     <message>
-        <source>the rig is occupied; its lines are recorded without connecting anew</source>
+        <source>the rig is in use; its lines are recorded without reconnecting</source>
         <translation>der Prüfstand ist belegt; seine Leitungen werden ohne neues Verbinden aufgezeichnet</translation>
     </message>
     <message>
@@ -12218,7 +12182,7 @@ Mittel (µm)</translation>
         <translation>die Vorhersage ist fehlgeschlagen</translation>
     </message>
     <message>
-        <source>the twin has left nothing readable in the file</source>
+        <source>the twin left nothing readable in the file</source>
         <translation>die Vorhersage hat in der Datei nichts Lesbares hinterlassen</translation>
     </message>
     <message>
@@ -12230,12 +12194,12 @@ Mittel (µm)</translation>
         <translation>der Verschleiß lässt sich nicht berechnen</translation>
     </message>
     <message>
-        <source>the whole cycles</source>
-        <translation>die ganzen Zyklen</translation>
+        <source>the complete cycles</source>
+        <translation>die vollständigen Zyklen</translation>
     </message>
     <message>
-        <source>the workers were lost; what is done is safe, and the same command goes on with it</source>
-        <translation>die Rechenprozesse gingen verloren; was fertig ist, ist sicher, und derselbe Befehl macht damit weiter</translation>
+        <source>the workers were lost; finished points are saved, and the same command continues it</source>
+        <translation>die Rechenprozesse gingen verloren; fertige Punkte sind gespeichert, und derselbe Befehl setzt fort</translation>
     </message>
     <message>
         <source>the worn profiles</source>
@@ -12250,8 +12214,8 @@ Mittel (µm)</translation>
         <translation>dies sind keine Messungen</translation>
     </message>
     <message>
-        <source>they come</source>
-        <translation>sie kommen</translation>
+        <source>arriving</source>
+        <translation>treffen ein</translation>
     </message>
     <message>
         <source>this calibration was ended already</source>
@@ -12490,12 +12454,12 @@ Mittel (µm)</translation>
         <translation>was aus der Vorhersage wurde</translation>
     </message>
     <message>
-        <source>what hangs has not changed yet</source>
-        <translation>was hängt, ist noch wie zuvor</translation>
+        <source>the load has not changed yet</source>
+        <translation>die Last hat sich noch nicht geändert</translation>
     </message>
     <message>
-        <source>what the calibration says</source>
-        <translation>was die Kalibrierung sagt</translation>
+        <source>by the calibration</source>
+        <translation>nach der Kalibrierung</translation>
     </message>
     <message>
         <source>what the model computes</source>
@@ -12518,8 +12482,8 @@ Mittel (µm)</translation>
         <translation>mit einer Messschraube längs der Koppel</translation>
     </message>
     <message>
-        <source>with a micrometer stage; finds how the probes stand as well</source>
-        <translation>mit einem Messtisch; findet auch, wie die Wegsensoren stehen</translation>
+        <source>with a micrometer stage; also finds the angle between the probes</source>
+        <translation>mit einem Messtisch; bestimmt auch ihren Winkel</translation>
     </message>
     <message>
         <source>with weights, at several pin angles</source>
@@ -12658,8 +12622,8 @@ Mittel (µm)</translation>
         <translation>{} Lücken, {} von {} Zyklen gekennzeichnet</translation>
     </message>
     <message>
-        <source>{} good, {} for attention, {} block</source>
-        <translation>{} gut, {} zu beachten, {} sperrend</translation>
+        <source>{} passed, {} for attention, {} block</source>
+        <translation>{} bestanden, {} zu beachten, {} sperrend</translation>
     </message>
     <message>
         <source>{} had no room in the file and could not be kept.</source>
@@ -12678,7 +12642,7 @@ Mittel (µm)</translation>
         <translation>{} ist ein echter Prüfstand. Der simulierte öffnet sich daneben.</translation>
     </message>
     <message>
-        <source>{} is another one on the disk now: {}</source>
+        <source>{} is now another file on the disk: {}</source>
         <translation>{} ist auf der Platte jetzt eine andere: {}</translation>
     </message>
     <message>
@@ -12706,8 +12670,8 @@ Mittel (µm)</translation>
         <translation>{} ist nicht geschrieben: {}</translation>
     </message>
     <message>
-        <source>{} is simulated: nothing real turns.</source>
-        <translation>{} ist simuliert: nichts Echtes dreht sich.</translation>
+        <source>{} is simulated: no real spindle turns.</source>
+        <translation>{} ist simuliert: Keine echte Spindel dreht sich.</translation>
     </message>
     <message>
         <source>{} left out here; the cycles are in the file.</source>
@@ -12754,11 +12718,11 @@ Mittel (µm)</translation>
         <translation>{} von {} geplanten Umdrehungen</translation>
     </message>
     <message>
-        <source>{} of {} points have a result. Why the others have none stands below.</source>
-        <translation>{} von {} Punkten haben ein Ergebnis. Warum die anderen keines haben, steht unten.</translation>
+        <source>{} of {} points have a result. The reasons for the others are listed below.</source>
+        <translation>{} von {} Punkten haben ein Ergebnis. Die Gründe der anderen stehen unten.</translation>
     </message>
     <message>
-        <source>{} of {} points have a result; still to come: {}; without a result: {}.</source>
+        <source>{} of {} points have a result; {} are still to be computed; without a result: {}.</source>
         <translation>{} von {} Punkten haben ein Ergebnis; noch zu rechnen: {}; ohne Ergebnis: {}.</translation>
     </message>
     <message>
@@ -12851,19 +12815,19 @@ Mittel (µm)</translation>
     </message>
     <message>
         <source>{}: done. {}</source>
-        <translation>{}: getan. {}</translation>
+        <translation>{}: erledigt. {}</translation>
     </message>
     <message>
-        <source>{}: no rig is connected, nothing moves.</source>
-        <translation>{}: kein Prüfstand ist verbunden, nichts bewegt sich.</translation>
+        <source>{}: no rig is connected, no spindle turns.</source>
+        <translation>{}: Kein Prüfstand ist verbunden, keine Spindel dreht sich.</translation>
     </message>
     <message>
         <source>{}; trying again</source>
         <translation>{}; neuer Versuch läuft</translation>
     </message>
     <message>
-        <source>{}; {} cycles kept whole; changed {}</source>
-        <translation>{}; {} Zyklen ganz behalten; geändert {}</translation>
+        <source>{}; {} complete cycles stored; changed {}</source>
+        <translation>{}; {} vollständige Zyklen gespeichert; geändert {}</translation>
     </message>
     <message>
         <source>|F| RMS</source>
@@ -12969,7 +12933,7 @@ Mittel (µm)</translation>
         <translation>Kanal {}</translation>
     </message>
     <message>
-        <source>Circle: axis 1, triangle: axis 2. Last {} N; largest {:.2f} N at reading {} of those that stand</source>
+        <source>Circle: axis 1, triangle: axis 2. Last {} N; largest {:.2f} N at reading {} of those that count</source>
         <translation>Kreis: Achse 1, Dreieck: Achse 2. Letzte {} N; größte {} N bei Messung {} von denen, die gelten</translation>
     </message>
     <message>
@@ -12977,7 +12941,7 @@ Mittel (µm)</translation>
         <translation>Kreis: Wegsensor 1, Dreieck: Wegsensor 2. Letzte {} µm; größte {} µm bei {} µm von Wegsensor {}</translation>
     </message>
     <message>
-        <source>Coming back reads {:+.3f} um against going out</source>
+        <source>Going back reads {:+.3f} um against going out</source>
         <translation>Der Rückweg zeigt {} um gegenüber dem Hinweg</translation>
     </message>
     <message>
@@ -12993,15 +12957,15 @@ Mittel (µm)</translation>
         <translation>Kraft auf den Bolzen = Matrix (Signal - Nullpunkt), Bezugssystem Bolzen; Matrix in N je {}</translation>
     </message>
     <message>
-        <source>Free {:.0f} MB or keep fewer whole cycles</source>
-        <translation>{} MB frei machen oder weniger ganze Zyklen behalten</translation>
+        <source>Free {:.0f} MB or store fewer cycles</source>
+        <translation>{} MB frei machen oder weniger Zyklen speichern</translation>
     </message>
     <message>
         <source>GSV, model {}</source>
         <translation>GSV, Modell {}</translation>
     </message>
     <message>
-        <source>In revolution {revolution} the count at the index differs from a whole turn.</source>
+        <source>In revolution {revolution} the count at the index is not a multiple of one turn.</source>
         <translation>In Umdrehung {revolution} weicht die Zählung am Index von einer ganzen Umdrehung ab.</translation>
     </message>
     <message>
@@ -13029,24 +12993,24 @@ Mittel (µm)</translation>
         <translation>Keine Antwort von {}</translation>
     </message>
     <message>
-        <source>Nothing has been measured or predicted for stop.{} in many revolutions.</source>
+        <source>No value has been measured or predicted for stop.{} in many revolutions.</source>
         <translation>Für stop.{} wurde seit vielen Umdrehungen nichts gemessen oder vorhergesagt.</translation>
     </message>
     <message>
-        <source>One wear coefficient, {}, explains all readings so far: neither running-in nor a change is told from it at odds of 20 to 1</source>
-        <translation>Ein Verschleißkoeffizient, {}, erklärt alle bisherigen Messungen: Weder Einlauf noch eine Änderung ist mit 20 zu 1 davon zu unterscheiden</translation>
+        <source>One wear coefficient, {}, explains all readings so far. Neither running-in nor a change is shown at odds of 20 to 1</source>
+        <translation>Ein Verschleißkoeffizient, {}, erklärt alle bisherigen Messungen. Weder Einlauf noch eine Änderung zeigt sich mit 20 zu 1</translation>
     </message>
     <message>
         <source>Position = {:.4f} um/V (voltage {:+.5f} V)</source>
         <translation>Position = {} um/V (Spannung {} V)</translation>
     </message>
     <message>
-        <source>Probe 1 stands {:+.2f} degrees from the follower&apos;s axis, probe 2 {:+.2f} degrees from across it (u = {:.2f} and {:.2f} degrees)</source>
-        <translation>Wegsensor 1 steht {} Grad von der Achse der Koppel, Wegsensor 2 {} Grad von der Querrichtung (u = {} und {} Grad)</translation>
+        <source>Probe 1 is {:+.2f} degrees off the follower&apos;s axis, probe 2 {:+.2f} degrees off the direction across it (u = {:.2f} and {:.2f} degrees)</source>
+        <translation>Wegsensor 1 weicht um {} Grad von der Achse der Koppel ab, Wegsensor 2 um {} Grad von der Querrichtung (u = {} und {} Grad)</translation>
     </message>
     <message>
-        <source>Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g} stands at {:+.1f} µm</source>
-        <translation>Wegsensor 1 {} V, Wegsensor 2 {} V. Nach der verwendeten Kalibrierung steht Wegsensor {} bei {} µm</translation>
+        <source>Probe 1 {:+.4f} V, probe 2 {:+.4f} V. By the calibration in use probe {:g} reads {:+.1f} µm</source>
+        <translation>Wegsensor 1 {} V, Wegsensor 2 {} V. Nach der verwendeten Kalibrierung zeigt Wegsensor {} {} µm</translation>
     </message>
     <message>
         <source>Probe {}: run-out {:.2f} um from lowest to highest, expanded uncertainty {:.2f} um (k = {:.2f})</source>
@@ -13057,7 +13021,7 @@ Mittel (µm)</translation>
         <translation>Wegsensor {}: {}</translation>
     </message>
     <message>
-        <source>Put the micrometer&apos;s target before probe {}, at right angles to it, and turn the micrometer until probe {} shows about 0 V: that is position 0. Nothing may move before the other probe</source>
+        <source>Put the micrometer&apos;s target in front of probe {}, at right angles to it, and turn the micrometer until probe {} shows about 0 V: that is position 0. Nothing may move in front of the other probe</source>
         <translation>Das Ziel der Messschraube rechtwinklig vor Wegsensor {} stellen und die Messschraube drehen, bis Wegsensor {} etwa 0 V zeigt: Das ist Position 0. Vor dem anderen Wegsensor darf sich nichts bewegen</translation>
     </message>
     <message>
@@ -13065,7 +13029,7 @@ Mittel (µm)</translation>
         <translation>Einlauf: Der Verschleißkoeffizient {} von {} auf {}, zu zwei Dritteln innerhalb von {} Umdrehungen</translation>
     </message>
     <message>
-        <source>Samples of {device} have waited {age_s:.1f} s to be looked at; the limit is {limit_s:g} s.</source>
+        <source>Samples of {device} have waited {age_s:.1f} s for evaluation; the limit is {limit_s:g} s.</source>
         <translation>Messwerte von {device} warteten {age_s:.1f} s auf ihre Prüfung; die Grenze ist {limit_s:g} s.</translation>
     </message>
     <message>
@@ -13077,11 +13041,11 @@ Mittel (µm)</translation>
         <translation>Signal 2 (N je {})</translation>
     </message>
     <message>
-        <source>Signals {:+.5f}, {:+.5f} {}: the cell feels {:.1f} N</source>
-        <translation>Signale {}, {} {}: Der Kraftsensor spürt {} N</translation>
+        <source>Signals {:+.5f}, {:+.5f} {}: the cell reads {:.1f} N</source>
+        <translation>Signale {}, {} {}: Der Kraftsensor zeigt {} N</translation>
     </message>
     <message>
-        <source>Since about revolution {since:.0f} the joint wears {how} than the revolutions before let expect. Of 100 tests of 21,377 revolutions without a change fewer than 1 is told this.</source>
+        <source>Since about revolution {since:.0f} the joint wears {how} than expected from the revolutions before. Of 100 tests of 21,377 revolutions without a change fewer than 1 gives this alarm.</source>
         <translation>Etwa seit Umdrehung {since:.0f} verschleißt das Gelenk {how}, als die Umdrehungen davor erwarten lassen. Von 100 Versuchen mit 21 377 Umdrehungen ohne Änderung meldet dies weniger als einer.</translation>
     </message>
     <message>
@@ -13089,7 +13053,7 @@ Mittel (µm)</translation>
         <translation>Langsamer Umlauf bei {} rpm für die Rundlaufkarte</translation>
     </message>
     <message>
-        <source>Stop criterion not judged: {name}</source>
+        <source>Stop criterion not evaluated: {name}</source>
         <translation>Abbruchkriterium nicht beurteilt: {name}</translation>
     </message>
     <message>
@@ -13109,11 +13073,11 @@ Mittel (µm)</translation>
         <translation>Die Argumente von {} sind nicht brauchbar</translation>
     </message>
     <message>
-        <source>The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} tells {:+.2f} % of the force along axis {}{}. Check the weight that hung; if it was right, calibrate the load cell again</source>
+        <source>The cell is off by {:.2f} N, {:.2f} N are allowed: axis {} reads {:+.2f} % of the force along axis {}{}. Check the weight; if it was right, calibrate the load cell again</source>
         <translation>Der Kraftsensor weicht um {} N ab, {} N sind erlaubt: Achse {} zeigt {} % der Kraft längs Achse {}{}. Das angehängte Gewicht prüfen; war es richtig, den Kraftsensor neu kalibrieren</translation>
     </message>
     <message>
-        <source>The cell tells the weight within {:.2f} N ({:.2f} N are allowed)</source>
+        <source>The cell reads the weight within {:.2f} N ({:.2f} N are allowed)</source>
         <translation>Der Kraftsensor zeigt das Gewicht auf {} N genau ({} N sind erlaubt)</translation>
     </message>
     <message>
@@ -13217,7 +13181,7 @@ Mittel (µm)</translation>
         <translation>{}: ist nicht die Tabelle einer Studie</translation>
     </message>
     <message>
-        <source>{}: it tells no rolls</source>
+        <source>{}: it holds no rolls</source>
         <translation>{}: enthält keine Umläufe</translation>
     </message>
     <message>
@@ -13233,7 +13197,7 @@ Mittel (µm)</translation>
         <translation>{}: Andere können sie lesen (Modus {}); chmod 600 ausführen und die Geheimnisse ändern, wenn andere an diesem Rechner sind</translation>
     </message>
     <message>
-        <source>{}: the copy of the rig file cannot be written; nothing is changed</source>
+        <source>{}: the copy of the rig file cannot be written; the rig file is not changed</source>
         <translation>{}: Die Kopie der Prüfstandsdatei lässt sich nicht schreiben; nichts ist geändert</translation>
     </message>
     <message>
@@ -13305,7 +13269,7 @@ Mittel (µm)</translation>
         <translation>Die Gelenkkraft erreichte {force_N:.1f} N; die Grenze ist {limit_N:g} N.</translation>
     </message>
     <message>
-        <source>The joint wears {} than before: it was told at revolution {:.0f}, and began about revolution {:.0f}</source>
+        <source>The joint wears {} than before: detected at revolution {:.0f}, began about revolution {:.0f}</source>
         <translation>Das Gelenk verschleißt {} als zuvor: gemeldet bei Umdrehung {}, begonnen etwa bei Umdrehung {}</translation>
     </message>
     <message>
@@ -13333,19 +13297,19 @@ Mittel (µm)</translation>
         <translation>Der Versuch hat {} h gedauert; geplant waren {} h</translation>
     </message>
     <message>
-        <source>The wear coefficient cannot be told yet, because its limits are a factor of {:.2g} apart: the depth so far, {:.2g} um, is too small against its uncertainty</source>
-        <translation>Der Verschleißkoeffizient lässt sich noch nicht angeben, weil seine Grenzen um den Faktor {} auseinanderliegen: Die bisherige Tiefe, {} um, ist zu klein gegen ihre Unsicherheit</translation>
+        <source>The wear coefficient cannot be determined yet. Its limits are a factor of {:.2g} apart: the depth so far, {:.2g} um, is too small against its uncertainty</source>
+        <translation>Der Verschleißkoeffizient lässt sich noch nicht bestimmen. Seine Grenzen liegen um den Faktor {} auseinander: Die bisherige Tiefe, {} um, ist zu klein gegen ihre Unsicherheit</translation>
     </message>
     <message>
-        <source>The wear coefficient is not constant. Whether the joint runs in or changed at one time cannot be told, because the odds are {:.2g} to 1 only; {} now</source>
-        <translation>Der Verschleißkoeffizient ist nicht konstant. Ob das Gelenk einläuft oder sich zu einer Zeit geändert hat, lässt sich nicht sagen, denn es steht nur {} zu 1; jetzt {}</translation>
+        <source>The wear coefficient is not constant. Running-in and a sudden change cannot be distinguished, because the odds are {:.2g} to 1 only; {} now</source>
+        <translation>Der Verschleißkoeffizient ist nicht konstant. Einlauf und plötzliche Änderung lassen sich nicht unterscheiden, denn die Chancen stehen nur {} zu 1; jetzt {}</translation>
     </message>
     <message>
         <source>The wear rate over {} revolutions was {:.4g} um per 1000 revolutions; the limit is {:g}</source>
         <translation>Die Verschleißrate über {} Umdrehungen war {} um je 1000 Umdrehungen; die Grenze ist {}</translation>
     </message>
     <message>
-        <source>The zero of axis {} stands {:+.2f} N off that of the calibration, {:.2f} N are allowed: was the cell overloaded, or is a cable off? Zero it; if it moves again, have it looked after</source>
+        <source>The zero of axis {} is {:+.2f} N off that of the calibration, {:.2f} N are allowed: was the cell overloaded, or is a cable off? Zero it; if it moves again, have it checked</source>
         <translation>Der Nullpunkt von Achse {} liegt {} N neben dem der Kalibrierung, {} N sind erlaubt: War der Kraftsensor überlastet, oder ist ein Kabel ab? Nullen; wandert er wieder, ihn prüfen lassen</translation>
     </message>
     <message>
@@ -13353,8 +13317,8 @@ Mittel (µm)</translation>
         <translation>{by} zeigt {speed_rpm:.1f} rpm; die Grenze ist {limit_rpm:g} rpm.</translation>
     </message>
     <message>
-        <source>Write metadata.{}, so that the file tells</source>
-        <translation>metadata.{} schreiben, damit die Datei es sagt</translation>
+        <source>Write metadata.{}, so that the file states it</source>
+        <translation>metadata.{} schreiben, damit die Datei es nennt</translation>
     </message>
     <message>
         <source>Zero ({})</source>
@@ -13373,8 +13337,8 @@ Mittel (µm)</translation>
         <translation>ein Stück von {} kg hängt, gehört aber nicht zum Satz</translation>
     </message>
     <message>
-        <source>action_critical = &apos;none&apos; would do nothing at {} = {:g}; choose warn, pause, stop or drive_off, or give a warning level in its place</source>
-        <translation>action_critical = &apos;none&apos; täte nichts bei {} = {}; warn, pause, stop oder drive_off wählen oder statt dessen eine Warngrenze angeben</translation>
+        <source>action_critical = &apos;none&apos; would have no effect at {} = {:g}; choose warn, pause, stop or drive_off, or give a warning level instead</source>
+        <translation>action_critical = &apos;none&apos; hätte bei {} = {} keine Wirkung; warn, pause, stop oder drive_off wählen oder statt dessen eine Warngrenze angeben</translation>
     </message>
     <message>
         <source>allowed is {}</source>
@@ -13413,7 +13377,7 @@ Mittel (µm)</translation>
         <translation>Antrieb aus über {} N, Nennkraft des Kraftsensors {} N</translation>
     </message>
     <message>
-        <source>encoder, load_cell and probes must come from one device, so that their samples are taken together; they name {}</source>
+        <source>encoder, load_cell and probes must be on one device, so that their samples are taken together; they name {}</source>
         <translation>encoder, load_cell und probes müssen von einem Gerät kommen, damit ihre Messwerte zusammen genommen werden; genannt sind {}</translation>
     </message>
     <message>
@@ -13429,8 +13393,8 @@ Mittel (µm)</translation>
         <translation>limits.overspeed_rpm = {} liegt nicht über {} = {}; der Versuch würde sofort auslösen</translation>
     </message>
     <message>
-        <source>limits.rule ({}): steps names step {}, but run.step stands {} times</source>
-        <translation>limits.rule ({}): steps nennt Schritt {}, aber run.step steht {}-mal da</translation>
+        <source>limits.rule ({}): steps names step {}, but there are {} entries of run.step</source>
+        <translation>limits.rule ({}): steps nennt Schritt {}, es gibt aber {} Einträge von run.step</translation>
     </message>
     <message>
         <source>line {} of the journal is not usable</source>
@@ -13469,7 +13433,7 @@ Mittel (µm)</translation>
         <translation>Knoten {} ließ sich nicht lesen oder einstellen; das Handbuch des Antriebs und seine Einstellungen prüfen</translation>
     </message>
     <message>
-        <source>node {} tells no heartbeat as one that operates within {:g} s; its heartbeat cannot be supervised</source>
+        <source>node {} reports no heartbeat of an operating device within {:g} s; its heartbeat cannot be supervised</source>
         <translation>Knoten {} meldet sich innerhalb von {} s nicht im Betrieb; sein Heartbeat lässt sich nicht überwachen</translation>
     </message>
     <message>
@@ -13509,7 +13473,7 @@ Mittel (µm)</translation>
         <translation>das Gerät an Modbus-Adresse {}</translation>
     </message>
     <message>
-        <source>the device does not tell {}; its settings give {}</source>
+        <source>the device does not report {}; its settings give {}</source>
         <translation>das Gerät meldet {} nicht; seine Einstellungen ergeben {}</translation>
     </message>
     <message>
@@ -13541,8 +13505,12 @@ Mittel (µm)</translation>
         <translation>{} Messwerte je Umdrehung bei {} Hz und {} = {}</translation>
     </message>
     <message>
-        <source>{:.1f} rpm is more than the drive can be told</source>
+        <source>{:.1f} rpm is above the largest speed command of the drive</source>
         <translation>{} rpm sind mehr, als sich im Antrieb einstellen lässt</translation>
+    </message>
+    <message>
+        <source>{:.1f} µm are measured at revolution {:.0f}; after revolution {} {:.1f} µm were predicted there, {:.1f} to {:.1f} µm with 95 %. The wear differs from the model and its first readings</source>
+        <translation>{:.1f} µm sind bei Umdrehung {:.0f} gemessen; nach Umdrehung {} waren dort {:.1f} µm vorhergesagt, {:.1f} bis {:.1f} µm mit 95 %. Der Verschleiß weicht vom Modell und seinen ersten Messungen ab</translation>
     </message>
     <message>
         <source>{:.9g} to {:.9g}</source>
@@ -13585,7 +13553,7 @@ Mittel (µm)</translation>
         <translation>{} Umdrehungen mit {} bis {} rpm, {} h</translation>
     </message>
     <message>
-        <source>Check cable and power of {}, or go on without its channels</source>
+        <source>Check cable and power of {}, or continue without its channels</source>
         <translation>Kabel und Versorgung von {} prüfen oder ohne seine Kanäle fortfahren</translation>
     </message>
     <message>
@@ -13653,8 +13621,8 @@ Mittel (µm)</translation>
         <translation>--plan daily: Eine tägliche Prüfung ergibt keinen Datensatz; {} wählen</translation>
     </message>
     <message>
-        <source>--points {}: give {} or more, for whole cycles (--cycles)</source>
-        <translation>--points {}: für ganze Zyklen (--cycles) {} oder mehr angeben</translation>
+        <source>--points {}: give {} or more, for complete cycles (--cycles)</source>
+        <translation>--points {}: für vollständige Zyklen (--cycles) {} oder mehr angeben</translation>
     </message>
     <message>
         <source>--separator {}: give a comma, a semicolon or tab</source>
@@ -13681,7 +13649,7 @@ Mittel (µm)</translation>
         <translation>--to {}: enthält eine andere Studie oder eine andere Parameterdatei; einen neuen Ordner angeben</translation>
     </message>
     <message>
-        <source>--to {}: was begun by rigapp {}; go on with that, or give a new folder</source>
+        <source>--to {}: was begun by rigapp {}; continue with that version, or give a new folder</source>
         <translation>--to {}: wurde mit rigapp {} begonnen; damit fortfahren oder einen neuen Ordner angeben</translation>
     </message>
     <message>
@@ -13693,7 +13661,7 @@ Mittel (µm)</translation>
         <translation>Geschrieben ist eine Masse von {} kg; waren Gramm gemeint? Kilogramm schreiben</translation>
     </message>
     <message>
-        <source>A probe stands {:.1f} degrees off its axis; mount it again</source>
+        <source>A probe is {:.1f} degrees off its axis; mount it again</source>
         <translation>Ein Wegsensor steht {} Grad neben seiner Achse; ihn neu einbauen</translation>
     </message>
     <message>
@@ -13709,15 +13677,15 @@ Mittel (µm)</translation>
         <translation>Vor {} fehlt eine Schrittnummer{}: Eine Messung, die nicht gilt, bleibt besser als Kommentar mit ihrem Grund stehen</translation>
     </message>
     <message>
-        <source>Acknowledge &quot;{}&quot;{}: say that you have seen it</source>
+        <source>Acknowledge &quot;{}&quot;{}: confirm that you have seen it</source>
         <translation>„{}“{} quittieren: bestätigen, dass es gesehen wurde</translation>
     </message>
     <message>
-        <source>After revolution {} the measured wear depth is not to be trusted</source>
+        <source>After revolution {} the measured wear depth is not reliable</source>
         <translation>Nach Umdrehung {} ist die gemessene Verschleißtiefe nicht verlässlich</translation>
     </message>
     <message>
-        <source>As found, the record {} of {} told too much: {}</source>
+        <source>As found, the record {} of {} was too optimistic: {}</source>
         <translation>Vorgefunden: Der Kalibrierdatensatz {} vom {} zeigte zu viel an: {}</translation>
     </message>
     <message>
@@ -13725,8 +13693,8 @@ Mittel (µm)</translation>
         <translation>Wie die Last zeigt: {}</translation>
     </message>
     <message>
-        <source>At the fastest speed the known term is {:.2f} N, less than the uncertainty of {:.2f} N: this tells little; run faster</source>
-        <translation>Bei der schnellsten Drehzahl ist das bekannte Glied {} N, weniger als die Unsicherheit von {} N: Das sagt wenig; schneller drehen</translation>
+        <source>At the fastest speed the known term is {:.2f} N, less than the uncertainty of {:.2f} N: this proves little; use a higher speed</source>
+        <translation>Bei der schnellsten Drehzahl ist das bekannte Glied {} N, weniger als die Unsicherheit von {} N: Das beweist wenig; schneller drehen</translation>
     </message>
     <message>
         <source>At the pin angle of {:.1f} degrees (series {}) every load seems turned by {:+.2f} degrees: the angle written there, or at the opposite position, is off; take it from the encoder</source>
@@ -13745,12 +13713,12 @@ Mittel (µm)</translation>
         <translation>Die Last bei {} kg</translation>
     </message>
     <message>
-        <source>At {} and the step after it each voltage belongs to the other one&apos;s position: the two readings were exchanged</source>
+        <source>At {} and the step after it the voltages are exchanged: each belongs to the position of the other reading</source>
         <translation>Bei {} und dem Schritt danach gehört jede Spannung zur Position der anderen: Die beiden Messungen wurden vertauscht</translation>
     </message>
     <message>
-        <source>At {} the cell felt {:.2f} kg, but {:g} kg is written; check the weights that hung there</source>
-        <translation>Bei {} spürte der Kraftsensor {} kg, angeschrieben sind aber {} kg; die Gewichte prüfen, die dort hingen</translation>
+        <source>At {} the cell read {:.2f} kg, but {:g} kg is written; check the weights of that step</source>
+        <translation>Bei {} zeigte der Kraftsensor {} kg, angeschrieben sind aber {} kg; die Gewichte dieses Schritts prüfen</translation>
     </message>
     <message>
         <source>At {} the micrometer was not turned on: the voltage is that of the step before. {:g} um is written</source>
@@ -13777,8 +13745,8 @@ Mittel (µm)</translation>
         <translation>Neu kalibrieren oder in der Prüfstandsdatei unter {} einen Grund angeben</translation>
     </message>
     <message>
-        <source>Change nothing: {:g} kg hang then</source>
-        <translation>Nichts ändern: Dann hängen {} kg</translation>
+        <source>Change nothing: {:g} kg stay on the pin</source>
+        <translation>Nichts ändern: {} kg bleiben am Bolzen</translation>
     </message>
     <message>
         <source>Check cable and power of {}, reconnect</source>
@@ -13793,7 +13761,7 @@ Mittel (µm)</translation>
         <translation>Die Stücke prüfen: {:.1f} N ({:.2f} kg) mehr, als hängen sollte</translation>
     </message>
     <message>
-        <source>Coming back reads {:+.2f} um against going out: approach every position from one side</source>
+        <source>Going back reads {:+.2f} um against going out: approach every position from one side</source>
         <translation>Der Rückweg zeigt {} um gegenüber dem Hinweg: jede Position von derselben Seite anfahren</translation>
     </message>
     <message>
@@ -13809,7 +13777,7 @@ Mittel (µm)</translation>
         <translation>Kriechen bei {} N, von {} s bis {} s nach dem Belasten: {} N; U enthält {} %, die Streuung der beiden Messungen eingeschlossen</translation>
     </message>
     <message>
-        <source>Creep, from no load. {} Hang it without a pause, and go on as soon as it hangs still: from then on the time counts</source>
+        <source>Creep, from no load. {} Hang it without a pause, and continue as soon as it is still: from then on the time counts</source>
         <translation>Kriechen, ohne Last beginnen. {} Ohne Pause anhängen und fortfahren, sobald es ruhig hängt: Von da an zählt die Zeit</translation>
     </message>
     <message>
@@ -13833,8 +13801,8 @@ Mittel (µm)</translation>
         <translation>Entscheidungsregel: einfache Annahme (JCGM 106), bestanden bis {:.2f} N ({:.2f} N des Nullpunkts); ein Sensor an der Grenze kann ebenso gut jenseits liegen</translation>
     </message>
     <message>
-        <source>Each signal sees up to {:.0f} % of the other axis, as if every pin angle were {:.1f} degrees off; repeat the angle reference step</source>
-        <translation>Jedes Signal sieht bis {} % der anderen Achse, als wäre jeder Bolzenwinkel um {} Grad falsch; den Schritt des Winkelbezugs wiederholen</translation>
+        <source>Each signal shows up to {:.0f} % of the other axis, as if every pin angle were {:.1f} degrees off; repeat the angle reference step</source>
+        <translation>Jedes Signal zeigt bis {} % der anderen Achse, als wäre jeder Bolzenwinkel um {} Grad falsch; den Schritt des Winkelbezugs wiederholen</translation>
     </message>
     <message>
         <source>Eight checks in a row lie {} the mean: the cell has shifted; plan a new calibration</source>
@@ -13897,7 +13865,7 @@ Mittel (µm)</translation>
         <translation>Ab {}: {}</translation>
     </message>
     <message>
-        <source>Go on with the test in {}, or start another one</source>
+        <source>Resume the test in {}, or start another one</source>
         <translation>Den Versuch in {} fortsetzen oder einen anderen starten</translation>
     </message>
     <message>
@@ -13905,8 +13873,8 @@ Mittel (µm)</translation>
         <translation>Abwärts zeigt der Kraftsensor {} N gegenüber aufwärts, mehr als 1 % der Nennkraft: Etwas reibt, rutscht oder wurde überlastet; es vor dem Kalibrieren finden</translation>
     </message>
     <message>
-        <source>Hang {}: {:g} kg hang then</source>
-        <translation>{} anhängen: Dann hängen {} kg</translation>
+        <source>Hang {}: {:g} kg are then on the pin</source>
+        <translation>{} anhängen: Dann sind {} kg am Bolzen</translation>
     </message>
     <message>
         <source>In series {}</source>
@@ -13929,7 +13897,7 @@ Mittel (µm)</translation>
         <translation>Er entstand mit Auswertung {}, dieses Programm hat {}{}</translation>
     </message>
     <message>
-        <source>It was made by evaluation {}, this program knows those up to {}; update rigapp</source>
+        <source>It was made by evaluation {}, this program supports up to {}; update rigapp</source>
         <translation>Er entstand mit Auswertung {}, dieses Programm kennt die bis {}; rigapp aktualisieren</translation>
     </message>
     <message>
@@ -13989,7 +13957,7 @@ Mittel (µm)</translation>
         <translation>Nur {} Positionen der Messschraube; mindestens {} nehmen, besser {}, auf und ab</translation>
     </message>
     <message>
-        <source>Only {} pin angle{}: the two axes cannot be told apart; take at least {}, evenly round the turn</source>
+        <source>Only {} pin angle{}: the two axes cannot be separated; take at least {}, evenly round the turn</source>
         <translation>Nur {} Bolzenwinkel{}: Die beiden Achsen lassen sich nicht unterscheiden; mindestens {} nehmen, gleichmäßig über die Umdrehung</translation>
     </message>
     <message>
@@ -14049,35 +14017,35 @@ Mittel (µm)</translation>
         <translation>Tabelle mit {} Punkten, {} V bis {} V</translation>
     </message>
     <message>
-        <source>Take off {} and hang {}: {:g} kg hang then</source>
-        <translation>{} abnehmen und {} anhängen: Dann hängen {} kg</translation>
+        <source>Take off {} and hang {}: {:g} kg are then on the pin</source>
+        <translation>{} abnehmen und {} anhängen: Dann sind {} kg am Bolzen</translation>
     </message>
     <message>
-        <source>Take off {}: {:g} kg hang then</source>
-        <translation>{} abnehmen: Dann hängen {} kg</translation>
+        <source>Take off {}: {:g} kg are then on the pin</source>
+        <translation>{} abnehmen: Dann sind {} kg am Bolzen</translation>
     </message>
     <message>
         <source>Test {} runs; stop it first</source>
         <translation>Versuch {} läuft; ihn erst stoppen</translation>
     </message>
     <message>
-        <source>That is more than both records allow: find out what changed since {} before the new record is used. What was measured meanwhile may be wrong by as much</source>
+        <source>That is more than both records allow: find out what changed since {} before the new record is used. Results measured since then may be wrong by as much</source>
         <translation>Das ist mehr, als beide Kalibrierdatensätze zulassen: Vor der Verwendung des neuen klären, was sich seit {} geändert hat. Was inzwischen gemessen wurde, kann um ebenso viel falsch sein</translation>
     </message>
     <message>
-        <source>The axes stand as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step can tell</source>
-        <translation>Die Achsen stehen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs kann es zeigen</translation>
+        <source>The axes look as if every pin angle were {:.1f} degrees off. It can be the cell&apos;s own cross-talk; only the angle reference step decides</source>
+        <translation>Die Achsen erscheinen, als wäre jeder Bolzenwinkel um {} Grad falsch. Es kann das eigene Übersprechen des Kraftsensors sein; nur der Schritt des Winkelbezugs entscheidet</translation>
     </message>
     <message>
         <source>The cell is off by {:.2f} N, {:.2f} N are allowed: every force seems turned by {:+.2f} degrees, and nothing else is off. Suspect the pin angle: check level and encoder, take the angle reference again, and repeat the check</source>
         <translation>Der Kraftsensor weicht um {} N ab, {} N sind zulässig: Jede Kraft scheint um {} Grad gedreht, und sonst weicht nichts ab. Der Bolzenwinkel ist verdächtig: Wasserwaage und Drehgeber prüfen, den Winkelbezug neu nehmen und die Prüfung wiederholen</translation>
     </message>
     <message>
-        <source>The cell tells the weight within {:.2f} N, {:.2f} N are allowed, but U of the check leaves it open whether it is within. Repeat the check, with a heavier weight or a better angle</source>
-        <translation>Der Sensor gibt das Gewicht auf {:.2f} N an, {:.2f} N sind zulässig, aber U der Prüfung lässt offen, ob er darin liegt. Die Prüfung wiederholen, mit einem schwereren Gewicht oder besserem Winkel</translation>
+        <source>The cell reads the weight within {:.2f} N, {:.2f} N are allowed, but the uncertainty of the check is too large to decide. Repeat the check, with a heavier weight or a better angle</source>
+        <translation>Der Kraftsensor zeigt das Gewicht auf {:.2f} N genau, {:.2f} N sind zulässig, aber die Unsicherheit der Prüfung ist zu groß für eine Entscheidung. Die Prüfung wiederholen, mit einem schwereren Gewicht oder besserem Winkel</translation>
     </message>
     <message>
-        <source>The contact law {} gives a restitution of {:.2f} where {:.2f} is asked for; choose the law elements, which gives it</source>
+        <source>The contact law {} gives a restitution of {:.2f} where {:.2f} is set; choose the law elements, which reaches it</source>
         <translation>Das Kontaktgesetz {} ergibt die Stoßzahl {}, verlangt ist {}; das Gesetz elements wählen, das sie ergibt</translation>
     </message>
     <message>
@@ -14117,8 +14085,8 @@ Mittel (µm)</translation>
         <translation>Die erweiterte Unsicherheit {} ist mehr als {} % der Spanne {}; ihr größter Anteil ist {}</translation>
     </message>
     <message>
-        <source>The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: nothing can be told from so little; write kilograms, not tonnes</source>
-        <translation>Die schwerste Masse ist {} kg, der Kraftsensor darf {} kg tragen: Aus so wenig lässt sich nichts sagen; Kilogramm schreiben, nicht Tonnen</translation>
+        <source>The heaviest mass is {:g} kg, the cell may bear {:.1f} kg: the masses are too small for a calibration; write kilograms, not tonnes</source>
+        <translation>Die schwerste Masse ist {} kg, der Kraftsensor darf {} kg tragen: Die Massen sind zu klein für eine Kalibrierung; Kilogramm schreiben, nicht Tonnen</translation>
     </message>
     <message>
         <source>The joint force reached at least {force_N:.1f} N, beyond the measuring range; the limit is {limit_N:g} N.</source>
@@ -14137,8 +14105,8 @@ Mittel (µm)</translation>
         <translation>Die letzte Prüfung ist nicht bestanden: {}</translation>
     </message>
     <message>
-        <source>The last check is {:+.5f} off what the calibration says, more than its uncertainty of {:.5f}: calibrate again</source>
-        <translation>Die letzte Prüfung liegt {} neben dem, was die Kalibrierung sagt, mehr als ihre Unsicherheit von {}: neu kalibrieren</translation>
+        <source>The last check is {:+.5f} off the calibration, more than its uncertainty of {:.5f}: calibrate again</source>
+        <translation>Die letzte Prüfung weicht um {} von der Kalibrierung ab, mehr als ihre Unsicherheit von {}: neu kalibrieren</translation>
     </message>
     <message>
         <source>The last check lies {:.1f} standard deviations {} the mean of all before: repeat it; if it stays, look for the cause before testing</source>
@@ -14169,7 +14137,7 @@ Mittel (µm)</translation>
         <translation>Die gemessene Verschleißtiefe ist {now_um:.1f} um; in {when} war sie {before_um:.1f} um. Der Unterschied übersteigt seine Messunsicherheit von {doubt_um:.1f} um: Ein Wegsensor wurde verschoben oder die Probe getauscht.</translation>
     </message>
     <message>
-        <source>The other probe moved by {:.3f} V, this one by {:.3f} V: the target stands before the wrong probe, or the two plugs are exchanged</source>
+        <source>The other probe moved by {:.3f} V, this one by {:.3f} V: the target is in front of the wrong probe, or the two plugs are exchanged</source>
         <translation>Der andere Wegsensor bewegte sich um {} V, dieser um {} V: Das Ziel steht vor dem falschen Wegsensor, oder die beiden Stecker sind vertauscht</translation>
     </message>
     <message>
@@ -14209,16 +14177,16 @@ Mittel (µm)</translation>
         <translation>Die Messung bei {} liegt {} N daneben, nicht nur längs ihrer Last: Schwang das Gewicht noch? Sie wiederholen</translation>
     </message>
     <message>
-        <source>The reading at {} stands twice in the table{}; remove what was pasted twice. A second run has series of its own</source>
-        <translation>Die Messung bei {} steht zweimal in der Tabelle{}; entfernen, was doppelt eingefügt wurde. Ein zweiter Durchgang hat eigene Reihen</translation>
+        <source>The reading at {} occurs twice in the table{}; remove the copy. A second run needs its own series</source>
+        <translation>Die Messung bei {} kommt in der Tabelle zweimal vor{}; die Kopie entfernen. Ein zweiter Durchgang braucht eigene Reihen</translation>
     </message>
     <message>
         <source>The readings of series {} scatter by {:.1f} N: was the weight still swinging? Wait until it hangs still</source>
         <translation>Die Messungen der Reihe {} streuen um {} N: Schwang das Gewicht noch? Warten, bis es ruhig hängt</translation>
     </message>
     <message>
-        <source>The readings of the creep are passed over, {}: the creep that the settings state counts</source>
-        <translation>Die Messungen des Kriechens bleiben außer Betracht, {}: Es gilt das Kriechen, das die Einstellungen angeben</translation>
+        <source>The readings of the creep are not used, {}: the creep stated in the settings is used</source>
+        <translation>Die Messungen des Kriechens werden nicht verwendet, {}: Es gilt das Kriechen aus den Einstellungen</translation>
     </message>
     <message>
         <source>The record {}: its result cannot be verified</source>
@@ -14229,7 +14197,7 @@ Mittel (µm)</translation>
         <translation>Der Bericht ist in {}</translation>
     </message>
     <message>
-        <source>The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N are known, the uncertainty is {:.2f} N. The cell tells mass times radius as {:.3f} kg mm, +- {:.3f}</source>
+        <source>The running check is passed: at {:.0f} rpm force_1 changes by {:+.2f} N, {:+.2f} N are known, the uncertainty is {:.2f} N. The cell gives mass times radius as {:.3f} kg mm, +- {:.3f}</source>
         <translation>Die Laufprüfung ist bestanden: Bei {} rpm ändert sich force_1 um {} N, bekannt sind {} N, die Unsicherheit ist {} N. Der Kraftsensor zeigt Masse mal Radius als {} kg mm, +- {}</translation>
     </message>
     <message>
@@ -14253,24 +14221,24 @@ Mittel (µm)</translation>
         <translation>Die Simulation des Treibers &quot;{}&quot; lässt sich nicht laden; das Paket {} neu installieren oder aktualisieren</translation>
     </message>
     <message>
-        <source>The step number of {} stands twice in its series at this place; give each reading of a series a number of its own, in the order taken</source>
+        <source>The step number of {} occurs twice in its series at this place; number each reading of a series in the order taken</source>
         <translation>Die Schrittnummer von {} steht in ihrer Reihe zweimal an dieser Stelle; jeder Messung einer Reihe eine eigene Nummer geben, in der Reihenfolge der Aufnahme</translation>
     </message>
     <message>
-        <source>The step numbers go back at {}; write the readings in the order taken (sorted as text, 11 stands before 2)</source>
+        <source>The step numbers decrease at {}; write the readings in the order taken (sorted as text, 11 is before 2)</source>
         <translation>Die Schrittnummern gehen bei {} zurück; die Messungen in der Reihenfolge der Aufnahme schreiben (als Text sortiert steht 11 vor 2)</translation>
     </message>
     <message>
-        <source>The stop could not be seen: {drive} reports a standstill, the crank encoder nothing.</source>
-        <translation>Der Stopp war nicht zu sehen: {drive} meldet Stillstand, der Drehgeber der Kurbel nichts.</translation>
+        <source>The stop cannot be confirmed: {drive} reports a standstill, the crank encoder nothing.</source>
+        <translation>Der Stillstand lässt sich nicht bestätigen: {drive} meldet Stillstand, der Drehgeber der Kurbel nichts.</translation>
     </message>
     <message>
-        <source>The stop was commanded, the power was cut, and still the spindle is not seen to stand (asked: {})</source>
-        <translation>Der Stopp wurde befohlen und die Leistung abgeschaltet, und doch ist nicht zu sehen, dass die Spindel steht (gefragt: {})</translation>
+        <source>The stop was commanded and the power switched off, but the standstill is not confirmed (cause of the stop: {})</source>
+        <translation>Der Stopp wurde befohlen und die Leistung abgeschaltet, aber der Stillstand ist nicht bestätigt (Grund des Stopps: {})</translation>
     </message>
     <message>
-        <source>The table has columns that are passed over: {}; is one of them misspelt?</source>
-        <translation>Die Tabelle hat Spalten, die außer Betracht bleiben: {}; ist eine davon falsch geschrieben?</translation>
+        <source>The table has columns that are ignored: {}; is one of them misspelt?</source>
+        <translation>Die Tabelle hat Spalten, die nicht verwendet werden: {}; ist eine davon falsch geschrieben?</translation>
     </message>
     <message>
         <source>The test is complete: {}</source>
@@ -14293,7 +14261,7 @@ Mittel (µm)</translation>
         <translation>Die Spannung erreicht {} V bei {} um, das Ende des Bereichs; den Wegsensor verschieben oder einen größeren Bereich wählen</translation>
     </message>
     <message>
-        <source>The wear coefficient cannot be told, because {}</source>
+        <source>The wear coefficient cannot be determined, because {}</source>
         <translation>Der Verschleißkoeffizient ist nicht bestimmbar: {}</translation>
     </message>
     <message>
@@ -14301,12 +14269,12 @@ Mittel (µm)</translation>
         <translation>Der Verschleißkoeffizient wird nicht angegeben: {}</translation>
     </message>
     <message>
-        <source>The wear depth is not to be trusted, so stop.{} does not end the test.</source>
-        <translation>Der Verschleißtiefe ist nicht zu trauen, deshalb beendet stop.{} den Versuch nicht.</translation>
+        <source>The wear depth is not reliable, so stop.{} does not end the test.</source>
+        <translation>Die Verschleißtiefe ist nicht verlässlich, deshalb beendet stop.{} den Versuch nicht.</translation>
     </message>
     <message>
-        <source>The wear depth is not to be trusted. {}</source>
-        <translation>Der Verschleißtiefe ist nicht zu trauen. {}</translation>
+        <source>The wear depth is not reliable. {}</source>
+        <translation>Die Verschleißtiefe ist nicht verlässlich. {}</translation>
     </message>
     <message>
         <source>The worn area, {:.4f} of what Archard&apos;s law makes of the force itself, is less than possible even with its stated error: do not use this result; give a smaller tolerance</source>
@@ -14429,7 +14397,7 @@ Mittel (µm)</translation>
         <translation>hier antwortet ein {}{}; prüfen, ob Anschlüsse vertauscht sind, und diesen für ihn angeben (driver = &quot;{}&quot;)</translation>
     </message>
     <message>
-        <source>a {} tells {}</source>
+        <source>a {} reports {}</source>
         <translation>{} meldet {}</translation>
     </message>
     <message>
@@ -14473,8 +14441,8 @@ Mittel (µm)</translation>
         <translation>bei {} deg</translation>
     </message>
     <message>
-        <source>at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step by {} from scan to scan, too much to prove that no byte is lost; raise sample_rate_Hz or lower maximum_speed_rpm</source>
-        <translation>bei {} Abtastungen/s und maximum_speed_rpm = {} kann der 16-bit-Zähler von Abtastung zu Abtastung um {} springen, zu viel, um zu beweisen, dass kein Byte verloren ist; sample_rate_Hz erhöhen oder maximum_speed_rpm senken</translation>
+        <source>at {:g} scans/s and maximum_speed_rpm = {:g} the 16-bit counter may step by {} from scan to scan, too much to detect a lost byte; raise sample_rate_Hz or lower maximum_speed_rpm</source>
+        <translation>bei {} Abtastungen/s und maximum_speed_rpm = {} kann der 16-bit-Zähler von Abtastung zu Abtastung um {} springen, zu viel, um ein verlorenes Byte zu erkennen; sample_rate_Hz erhöhen oder maximum_speed_rpm senken</translation>
     </message>
     <message>
         <source>beyond tolerances: {} {} would explain it</source>
@@ -14501,8 +14469,8 @@ Mittel (µm)</translation>
         <translation>Kalibrieren: {}</translation>
     </message>
     <message>
-        <source>came and went: {}</source>
-        <translation>kam und ging: {}</translation>
+        <source>came and ended: {}</source>
+        <translation>kam und endete: {}</translation>
     </message>
     <message>
         <source>cannot be verified ({})</source>
@@ -14541,8 +14509,8 @@ Mittel (µm)</translation>
         <translation>Spalte {} fehlt; die Kopfzeile muss {} nennen</translation>
     </message>
     <message>
-        <source>command released: nothing was heard of {} for {:.0f} s</source>
-        <translation>Steuerung freigegeben: Von {} war seit {} s nichts zu hören</translation>
+        <source>control released: no message from {} for {:.0f} s</source>
+        <translation>Steuerung freigegeben: keine Meldung von {} seit {} s</translation>
     </message>
     <message>
         <source>command {} cannot carry {}: {}</source>
@@ -14585,8 +14553,8 @@ Mittel (µm)</translation>
         <translation>data_type = &quot;int16&quot; behält von {} nur einen von 256 Schritten; &quot;int24&quot; oder &quot;float32&quot; wählen</translation>
     </message>
     <message>
-        <source>design.kind = {}: vary names nothing to be varied</source>
-        <translation>design.kind = {}: vary nennt nichts, was variiert werden soll</translation>
+        <source>design.kind = {}: vary names no keys</source>
+        <translation>design.kind = {}: vary nennt keine Schlüssel</translation>
     </message>
     <message>
         <source>devices.{} is used by neither [spindle], [encoder], [load_cell] nor [probes]; name it there or take it out</source>
@@ -14717,8 +14685,8 @@ Mittel (µm)</translation>
         <translation>Funktion {}, {} ab {}</translation>
     </message>
     <message>
-        <source>gave no sign of life for {:.1f} s</source>
-        <translation>gibt seit {} s kein Lebenszeichen</translation>
+        <source>sent no heartbeat for {:.1f} s</source>
+        <translation>sendet seit {} s keinen Heartbeat</translation>
     </message>
     <message>
         <source>gear_ratio is {}, must be a finite number above 0</source>
@@ -14729,7 +14697,7 @@ Mittel (µm)</translation>
         <translation>mindestens {} angeben</translation>
     </message>
     <message>
-        <source>give devices.{}.settings.{}, without which none is told</source>
+        <source>give devices.{}.settings.{}, without which none is reported</source>
         <translation>devices.{}.settings.{} angeben, ohne das keines gemeldet wird</translation>
     </message>
     <message>
@@ -14737,7 +14705,7 @@ Mittel (µm)</translation>
         <translation>mindestens {} angeben</translation>
     </message>
     <message>
-        <source>going on after {}; the test was {}{}</source>
+        <source>resuming after {}; the test was {}{}</source>
         <translation>fortgesetzt nach {}; der Versuch war im Zustand {}{}</translation>
     </message>
     <message>
@@ -14761,7 +14729,7 @@ Mittel (µm)</translation>
         <translation>falls sie läuft, ist der öffentliche Schlüssel in {} nicht unter ihren zugelassenen Betrachtern, oder ihr eigener Schlüssel hat sich geändert</translation>
     </message>
     <message>
-        <source>in the {:g} s to integrate the contact would swing {:.1e} times, {:.0e} at most; inertia is nothing at this speed: use the technique continuous</source>
+        <source>in the {:g} s to integrate the contact would swing {:.1e} times, {:.0e} at most; at this speed inertia is negligible: use the technique continuous</source>
         <translation>in den {} s, über die zu integrieren ist, schwänge der Kontakt {} mal, höchstens {}; Trägheit spielt bei dieser Drehzahl keine Rolle: Verfahren continuous verwenden</translation>
     </message>
     <message>
@@ -14829,7 +14797,7 @@ Mittel (µm)</translation>
         <translation>es darf {} nicht überschreiten</translation>
     </message>
     <message>
-        <source>it says that its scan rates divide {} Hz, where {} Hz is known: compare its sample rate with a clock</source>
+        <source>it reports that its scan rates divide {} Hz, where {} Hz is known: compare its sample rate with a clock</source>
         <translation>es meldet, dass seine Abtastraten {} Hz teilen, bekannt sind aber {} Hz: seine Abtastrate mit einer Uhr vergleichen</translation>
     </message>
     <message>
@@ -14841,11 +14809,11 @@ Mittel (µm)</translation>
         <translation>es sendet, antwortete aber {} {}-mal nicht, sodass verlorene Daten nicht bemerkt würden; das Kabel und andere Programme prüfen</translation>
     </message>
     <message>
-        <source>it takes speeds in steps of {:g} rpm, the rig file says velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed</source>
+        <source>its speed commands are in steps of {:g} rpm, the rig file says velocity_step_rpm = {:g}: one of them is wrong, and so would be the speed</source>
         <translation>er nimmt Drehzahlen in Schritten von {:g} rpm an, die Prüfstandsdatei sagt velocity_step_rpm = {:g}: eines davon ist falsch, und damit wäre es die Drehzahl</translation>
     </message>
     <message>
-        <source>it takes speeds in whole steps of {:g} rpm of the crank, so that one below {:g} rpm may be more than {:.0%} beside what was asked for; choose a finer velocity_unit for those</source>
+        <source>its speed commands are in steps of {:g} rpm of the crank, so a speed below {:g} rpm may be off by more than {:.0%}; choose a finer velocity_unit for such speeds</source>
         <translation>er nimmt Drehzahlen in ganzen Schritten von {} rpm der Kurbel, sodass eine unter {} rpm um mehr als {} neben der verlangten liegen kann; dafür eine feinere velocity_unit wählen</translation>
     </message>
     <message>
@@ -14877,8 +14845,8 @@ Mittel (µm)</translation>
         <translation>Grenze {} geändert{}</translation>
     </message>
     <message>
-        <source>limits.overload_N = {:g} can never be seen: the input of the load cell is full at {:.0f} N</source>
-        <translation>limits.overload_N = {} kann nie gesehen werden: Der Eingang des Kraftsensors ist bei {} N übersteuert</translation>
+        <source>limits.overload_N = {:g} is never reached: the input of the load cell saturates at {:.0f} N</source>
+        <translation>limits.overload_N = {} wird nie erreicht: Der Eingang des Kraftsensors ist bei {} N übersteuert</translation>
     </message>
     <message>
         <source>line {} has an empty field ({}); complete or remove it</source>
@@ -14893,7 +14861,7 @@ Mittel (µm)</translation>
         <translation>Leitung {} an {}</translation>
     </message>
     <message>
-        <source>line {}: step {} is not a whole number from 0 on</source>
+        <source>line {}: step {} is not an integer from 0 on</source>
         <translation>Zeile {}: Schritt {} ist keine ganze Zahl von 0 an</translation>
     </message>
     <message>
@@ -14977,7 +14945,7 @@ Mittel (µm)</translation>
         <translation>kein Kalibrierdatensatz für {}: es gelten die Zahlen der Prüfstandsdatei</translation>
     </message>
     <message>
-        <source>no samples came for {:.1f} s</source>
+        <source>no samples received for {:.1f} s</source>
         <translation>seit {} s kamen keine Messwerte</translation>
     </message>
     <message>
@@ -14993,7 +14961,7 @@ Mittel (µm)</translation>
         <translation>kein Wert liegt über {} und unter {}</translation>
     </message>
     <message>
-        <source>no word from the engine for {:.0f} s</source>
+        <source>no message from the engine for {:.0f} s</source>
         <translation>seit {} s keine Meldung der Steuerung</translation>
     </message>
     <message>
@@ -15009,24 +14977,24 @@ Mittel (µm)</translation>
         <translation>nicht verglichen: {}</translation>
     </message>
     <message>
-        <source>nothing answers; check power, cable and port and, on a UART, baud_rate ({})</source>
-        <translation>nichts antwortet; Versorgung, Kabel und Anschluss prüfen und, an einem UART, baud_rate ({})</translation>
+        <source>no answer; check power, cable and port and, on a UART, baud_rate ({})</source>
+        <translation>keine Antwort; Versorgung, Kabel und Anschluss prüfen und, an einem UART, baud_rate ({})</translation>
     </message>
     <message>
-        <source>nothing came for {:.1f} s though it answers: it was probably reset (power, USB) and has lost its settings and its count; connect it again and find the index again</source>
-        <translation>seit {} s kam nichts, obwohl es antwortet: Es wurde wahrscheinlich zurückgesetzt (Versorgung, USB) und hat Einstellungen und Zählerstand verloren; neu verbinden und den Index wieder suchen</translation>
+        <source>no data for {:.1f} s though it answers: it was probably reset (power, USB) and has lost its settings and its count; connect it again and find the index again</source>
+        <translation>seit {} s keine Daten, obwohl es antwortet: Es wurde wahrscheinlich zurückgesetzt (Versorgung, USB) und hat Einstellungen und Zählerstand verloren; neu verbinden und den Index wieder suchen</translation>
     </message>
     <message>
         <source>notify {} {}</source>
         <translation>notify {} {}</translation>
     </message>
     <message>
-        <source>notify.name = {} stands {} times; each way needs its own</source>
-        <translation>notify.name = {} steht {}-mal da; jeder Weg braucht einen eigenen</translation>
+        <source>notify.name = {} occurs {} times; each recipient needs its own name</source>
+        <translation>notify.name = {} kommt {}-mal vor; jeder Empfänger braucht einen eigenen Namen</translation>
     </message>
     <message>
-        <source>now comes {}, not {}: {}</source>
-        <translation>jetzt kommt {}, nicht {}: {}</translation>
+        <source>the next step is {}, not {}: {}</source>
+        <translation>der nächste Schritt ist {}, nicht {}: {}</translation>
     </message>
     <message>
         <source>object_map = {} lacks {}</source>
@@ -15117,7 +15085,7 @@ Mittel (µm)</translation>
         <translation>Messungen fehlen: {}</translation>
     </message>
     <message>
-        <source>readings are taken while the rig is ready and no test is under way, not while {}</source>
+        <source>readings are taken while the rig is ready and no test is running, not while {}</source>
         <translation>Messungen werden genommen, wenn der Prüfstand bereit und kein Versuch im Gang ist, nicht im Zustand {}</translation>
     </message>
     <message>
@@ -15141,8 +15109,8 @@ Mittel (µm)</translation>
         <translation>registers nennt die Größe {} zweimal</translation>
     </message>
     <message>
-        <source>registers, entry {}: scale = {:g} tells nothing</source>
-        <translation>registers, Eintrag {}: scale = {} sagt nichts aus</translation>
+        <source>registers, entry {}: scale = {:g} gives no value</source>
+        <translation>registers, Eintrag {}: scale = {} ergibt keinen Wert</translation>
     </message>
     <message>
         <source>registers, entry {}: {}</source>
@@ -15193,11 +15161,11 @@ Mittel (µm)</translation>
         <translation>Prüfstandsdatei: {} = {} ist nicht unter dem, was das Gerät sendet ({}); den Schlüssel berichtigen</translation>
     </message>
     <message>
-        <source>rows {} to {} are wanted and there are fewer</source>
+        <source>rows {} to {} are requested and there are fewer</source>
         <translation>die Zeilen {} bis {} sind verlangt, und es gibt weniger</translation>
     </message>
     <message>
-        <source>rows {} to {} are wanted and there are {}</source>
+        <source>rows {} to {} are requested and there are {}</source>
         <translation>verlangt sind die Zeilen {} bis {}, vorhanden sind {}</translation>
     </message>
     <message>
@@ -15209,12 +15177,12 @@ Mittel (µm)</translation>
         <translation>run.files = {}: Solche Dateien gibt es nicht</translation>
     </message>
     <message>
-        <source>run.repeat_from_step = {}, but run.step stands {} times</source>
-        <translation>run.repeat_from_step = {}, aber run.step steht {}-mal da</translation>
+        <source>run.repeat_from_step = {}, but there are {} entries of run.step</source>
+        <translation>run.repeat_from_step = {}, es gibt aber {} Einträge von run.step</translation>
     </message>
     <message>
-        <source>run.step stands {} times; {} are possible, and they can be repeated</source>
-        <translation>run.step steht {}-mal da; {} sind möglich, und sie lassen sich wiederholen</translation>
+        <source>there are {} entries of run.step; {} are possible, and they can be repeated</source>
+        <translation>es gibt {} Einträge von run.step; {} sind möglich, und sie lassen sich wiederholen</translation>
     </message>
     <message>
         <source>run.step {} speed_rpm</source>
@@ -15277,8 +15245,8 @@ Mittel (µm)</translation>
         <translation>Reihe {} hat keine Messung ohne Gewichte</translation>
     </message>
     <message>
-        <source>series {} is under way; finish it first, then reject and repeat series {}</source>
-        <translation>Reihe {} ist im Gang; sie erst beenden, dann Reihe {} verwerfen und wiederholen</translation>
+        <source>series {} is not finished; finish it first, then reject and repeat series {}</source>
+        <translation>Reihe {} ist nicht fertig; sie erst beenden, dann Reihe {} verwerfen und wiederholen</translation>
     </message>
     <message>
         <source>series {}, step {}</source>
@@ -15333,7 +15301,7 @@ Mittel (µm)</translation>
         <translation>zeigt signal_{}</translation>
     </message>
     <message>
-        <source>signal_{} stands still at {:g} from {} while the load grows: the input is saturated; choose a larger range</source>
+        <source>signal_{} stays at {:g} from {} while the load grows: the input is saturated; choose a larger range</source>
         <translation>signal_{} steht ab {2} bei {1} still, während die Last wächst: Der Eingang ist übersteuert; einen größeren Bereich wählen</translation>
     </message>
     <message>
@@ -15401,7 +15369,7 @@ Mittel (µm)</translation>
         <translation>{} bis {} Positionen nehmen</translation>
     </message>
     <message>
-        <source>taking the power off is a ramp of {:.2g} s; set the default duty acceleration of motor {} to {} with the maker&apos;s tool</source>
+        <source>switching the power off is a ramp of {:.2g} s; set the default duty acceleration of motor {} to {} with the maker&apos;s tool</source>
         <translation>das Abschalten ist eine Rampe von {:.2g} s; die voreingestellte Duty-Beschleunigung von Motor {} mit dem Programm des Herstellers auf {} stellen</translation>
     </message>
     <message>
@@ -15449,7 +15417,7 @@ Mittel (µm)</translation>
         <translation>das Gerät hat keinen Eingang &quot;{}&quot;; es hat analog_1 bis analog_8, counter_1, counter_2</translation>
     </message>
     <message>
-        <source>the device tells no serial number, and {} is required; take serial_number out, and name its port by that of its USB cable (serial:NUMBER)</source>
+        <source>the device reports no serial number, and {} is required; remove serial_number, and name its port by that of its USB cable (serial:NUMBER)</source>
         <translation>das Gerät nennt keine Seriennummer, verlangt ist {}; serial_number herausnehmen und den Anschluss über die seines USB-Kabels angeben (serial:NUMMER)</translation>
     </message>
     <message>
@@ -15561,7 +15529,7 @@ Mittel (µm)</translation>
         <translation>der Kraftsensor zeigt {} N, limits.overload_N ist {} N; den Bolzen entlasten oder nullen</translation>
     </message>
     <message>
-        <source>the load hangs for {:.0f} s, {:g} s were wanted: take it off, the creep begins again</source>
+        <source>the load has hung for {:.0f} s instead of {:g} s: take it off, the creep begins again</source>
         <translation>die Last hängt seit {} s, gefordert waren {} s: abnehmen, das Kriechen beginnt neu</translation>
     </message>
     <message>
@@ -15581,7 +15549,7 @@ Mittel (µm)</translation>
         <translation>der Bolzen muss in die Buchse vom Radius {} m passen</translation>
     </message>
     <message>
-        <source>the pin stands at {:.1f} degrees</source>
+        <source>the pin is at {:.1f} degrees</source>
         <translation>der Bolzen steht bei {} Grad</translation>
     </message>
     <message>
@@ -15617,8 +15585,8 @@ Mittel (µm)</translation>
         <translation>die Messung ist keine Zahl{}; Kabel und Verstärker prüfen</translation>
     </message>
     <message>
-        <source>the record is of the kind {}, and this version knows only {}; a newer one may have made it</source>
-        <translation>der Datensatz ist von der Art {}, und diese Version kennt nur {}; eine neuere kann ihn gemacht haben</translation>
+        <source>the record is of the kind {}, and this version supports only {}; it may be from a newer version</source>
+        <translation>der Datensatz ist von der Art {}, und diese Version kennt nur {}; er kann von einer neueren Version sein</translation>
     </message>
     <message>
         <source>the recording is cut short after record {}; what is before it is used</source>
@@ -15665,20 +15633,20 @@ Mittel (µm)</translation>
         <translation>die Probe ist {} seit {}</translation>
     </message>
     <message>
-        <source>the spindle stands {}; seen by {}</source>
-        <translation>die Spindel steht {}; gesehen durch {}</translation>
+        <source>the spindle is stationary {}; confirmed by {}</source>
+        <translation>die Spindel steht {}; bestätigt durch {}</translation>
     </message>
     <message>
         <source>the status of firmware &quot;{}&quot; has neither 16 nor 32 bits; set status_width from the drive&apos;s manual</source>
         <translation>der Status der Firmware &quot;{}&quot; hat weder 16 noch 32 Bit; status_width nach dem Handbuch des Antriebs setzen</translation>
     </message>
     <message>
-        <source>the test shall end after {} revolutions{}</source>
-        <translation>der Versuch soll nach {} Umdrehungen enden{}</translation>
+        <source>the test will end after {} revolutions{}</source>
+        <translation>der Versuch wird nach {} Umdrehungen enden{}</translation>
     </message>
     <message>
-        <source>the test shall have {} revolutions</source>
-        <translation>der Versuch soll {} Umdrehungen haben</translation>
+        <source>the test will have {} revolutions</source>
+        <translation>der Versuch wird {} Umdrehungen haben</translation>
     </message>
     <message>
         <source>the test was made with a {}, this rig has a {}: use the rig of the test</source>
@@ -15697,8 +15665,8 @@ Mittel (µm)</translation>
         <translation>die Vorhersage antwortete nicht innerhalb von {} s</translation>
     </message>
     <message>
-        <source>the twin did not come up within {:g} s</source>
-        <translation>die Vorhersage kam nicht innerhalb von {} s in Gang</translation>
+        <source>the twin did not start within {:g} s</source>
+        <translation>die Vorhersage startete nicht innerhalb von {} s</translation>
     </message>
     <message>
         <source>the twin ended with status {}</source>
@@ -15717,8 +15685,8 @@ Mittel (µm)</translation>
         <translation>genullt wird vor einem Versuch, nicht im Zustand {}</translation>
     </message>
     <message>
-        <source>the {:g} kg do not hang yet</source>
-        <translation>die {} kg hängen noch nicht</translation>
+        <source>the {:g} kg are not on the pin yet</source>
+        <translation>die {} kg sind noch nicht am Bolzen</translation>
     </message>
     <message>
         <source>the {} ended after {} of {} revolutions: {}; {} holds what was recorded</source>
@@ -15749,7 +15717,7 @@ Mittel (µm)</translation>
         <translation>eine solche Größe gibt es nicht; war {} gemeint?</translation>
     </message>
     <message>
-        <source>these readings come from the rig {}, this is {}; name another journal</source>
+        <source>these readings are from the rig {}, this is {}; name another journal</source>
         <translation>diese Messungen kommen vom Prüfstand {}, dies ist {}; ein anderes Journal nennen</translation>
     </message>
     <message>
@@ -15777,7 +15745,7 @@ Mittel (µm)</translation>
         <translation>nach {}</translation>
     </message>
     <message>
-        <source>told by {}</source>
+        <source>reported by {}</source>
         <translation>gemeldet von {}</translation>
     </message>
     <message>
@@ -15869,8 +15837,8 @@ Mittel (µm)</translation>
         <translation>verglichen wurde, was auf die Messwerte angewandt wird; die Unsicherheit lässt sich nicht nachprüfen: Angegeben ist U = {} {}, diese Auswertung ergibt {} {}</translation>
     </message>
     <message>
-        <source>what should hang weighs {:.1f} N</source>
-        <translation>was hängen sollte, wiegt {} N</translation>
+        <source>the planned load weighs {:.1f} N</source>
+        <translation>die geplante Last wiegt {} N</translation>
     </message>
     <message>
         <source>when is empty; choose of {}</source>
@@ -15887,10 +15855,6 @@ Mittel (µm)</translation>
     <message>
         <source>worn by {:.1f} +/- {:.1f} um</source>
         <translation>um {} +/- {} um verschlissen</translation>
-    </message>
-    <message>
-        <source>you do not control this rig, {}</source>
-        <translation>Sie haben die Steuerung dieses Prüfstands nicht, {}</translation>
     </message>
     <message>
         <source>zeroing {} is prohibited in the device; allow it with the maker&apos;s program</source>
@@ -15915,10 +15879,6 @@ Mittel (µm)</translation>
     <message>
         <source>{:.1f} to {:.1f} deg</source>
         <translation>{} bis {} deg</translation>
-    </message>
-    <message>
-        <source>{:.1f} µm are measured at revolution {:.0f}; after revolution {} {:.1f} µm were predicted there, {:.1f} to {:.1f} µm with 95 %. The joint wears otherwise than the model and its first readings let expect</source>
-        <translation>{:.1f} µm sind bei Umdrehung {:.0f} gemessen; nach Umdrehung {} waren dort {:.1f} µm vorhergesagt, {:.1f} bis {:.1f} µm mit 95 %. Das Gelenk verschleißt anders, als Modell und erste Werte erwarten ließen</translation>
     </message>
     <message>
         <source>{:.2f} N off, {:.2f} N are allowed</source>
@@ -16005,8 +15965,8 @@ Mittel (µm)</translation>
         <translation>{drive} warnt: {warnings}.</translation>
     </message>
     <message>
-        <source>{number} whole cycles had no reserved room in the file.</source>
-        <translation>{number} ganze Zyklen hatten keinen reservierten Platz in der Datei.</translation>
+        <source>{number} complete cycles had no reserved room in the file.</source>
+        <translation>{number} vollständige Zyklen hatten keinen reservierten Platz in der Datei.</translation>
     </message>
     <message>
         <source>{} (at end of document)</source>
@@ -16057,8 +16017,8 @@ Mittel (µm)</translation>
         <translation>{} = {} ist nicht glaubhaft ({}: {}){}</translation>
     </message>
     <message>
-        <source>{} = {} cannot be inverted; two rows say the same, or nothing</source>
-        <translation>{} = {} ist nicht umkehrbar; zwei Zeilen sagen dasselbe oder nichts</translation>
+        <source>{} = {} cannot be inverted; two rows are dependent or 0</source>
+        <translation>{} = {} ist nicht umkehrbar; zwei Zeilen sind abhängig oder 0</translation>
     </message>
     <message>
         <source>{} = {} cannot have it; choose one of {}</source>
@@ -16081,7 +16041,7 @@ Mittel (µm)</translation>
         <translation>{} = {} ist keine Zahl{}</translation>
     </message>
     <message>
-        <source>{} = {} is not a whole number{}</source>
+        <source>{} = {} is not an integer{}</source>
         <translation>{} = {} ist keine ganze Zahl{}</translation>
     </message>
     <message>
@@ -16097,8 +16057,8 @@ Mittel (µm)</translation>
         <translation>{} = {} liegt außerhalb von {}{}</translation>
     </message>
     <message>
-        <source>{} A slow swing of the probes, as by the room&apos;s temperature, cannot be excluded yet. The limits hold it; a channel room_temperature would tell it</source>
-        <translation>{} Ein langsames Schwanken der Wegsensoren, etwa mit der Raumtemperatur, ist noch nicht auszuschließen. Die Grenzen enthalten es; ein Kanal room_temperature würde es zeigen</translation>
+        <source>{} A slow drift of the probes, as by the room&apos;s temperature, cannot be excluded yet. The limits include it; a channel room_temperature would separate it</source>
+        <translation>{} Ein langsames Driften der Wegsensoren, etwa mit der Raumtemperatur, ist noch nicht auszuschließen. Die Grenzen enthalten es; ein Kanal room_temperature würde es trennen</translation>
     </message>
     <message>
         <source>{} Are the signals volts of an amplifier, counts, or N?</source>
@@ -16125,11 +16085,11 @@ Mittel (µm)</translation>
         <translation>{} Danach: {}</translation>
     </message>
     <message>
-        <source>{} This only exercises the cell; nothing is read</source>
-        <translation>{} Dies belastet den Kraftsensor nur vor; nichts wird gelesen</translation>
+        <source>{} This only exercises the cell; no reading is taken</source>
+        <translation>{} Dies belastet den Kraftsensor nur vor; es wird keine Messung genommen</translation>
     </message>
     <message>
-        <source>{} Wait until it hangs still</source>
+        <source>{} Wait until it is still</source>
         <translation>{} Warten, bis es ruhig hängt</translation>
     </message>
     <message>
@@ -16181,20 +16141,20 @@ Mittel (µm)</translation>
         <translation>{} kann kein Eingang der Art &quot;{}&quot; sein; möglich sind Brücke oder Spannung</translation>
     </message>
     <message>
-        <source>{} cannot be called so: its column {} exists; choose another name</source>
-        <translation>{} kann nicht so heißen: Seine Spalte {} gibt es schon; einen anderen Namen wählen</translation>
+        <source>{} is not a possible name: its column {} exists; choose another name</source>
+        <translation>{} ist kein möglicher Name: Seine Spalte {} gibt es schon; einen anderen Namen wählen</translation>
     </message>
     <message>
         <source>{} cannot be {}: {}</source>
         <translation>{} kann nicht {} sein: {}</translation>
     </message>
     <message>
-        <source>{} cannot go on here: {}</source>
+        <source>{} cannot continue here: {}</source>
         <translation>{} kann hier nicht fortgesetzt werden: {}</translation>
     </message>
     <message>
-        <source>{} confirmed the power-off, but the crank turns on. It is left to its watchdog</source>
-        <translation>{} hat das Abschalten bestätigt, aber die Kurbel dreht weiter. Nun muss seine Überwachung sie anhalten</translation>
+        <source>{} confirmed the power-off, but the crank still turns. Its watchdog will stop it</source>
+        <translation>{} hat das Abschalten bestätigt, aber die Kurbel dreht weiter. Seine Überwachung hält sie an</translation>
     </message>
     <message>
         <source>{} counts per revolution are too few</source>
@@ -16229,8 +16189,8 @@ Mittel (µm)</translation>
         <translation>{} Kräfte und {} Gleitwege</translation>
     </message>
     <message>
-        <source>{} goes on only with a reason: {}; put it right, or give the reason, which is recorded</source>
-        <translation>{} wird nur mit einem Grund fortgesetzt: {}; es in Ordnung bringen oder den Grund angeben, der aufgezeichnet wird</translation>
+        <source>Resuming {} needs a reason because {}. Fix it, or enter a reason (it is logged)</source>
+        <translation>Das Fortsetzen von {} braucht einen Grund: {}. Beheben, oder einen Grund eingeben (er kommt ins Protokoll)</translation>
     </message>
     <message>
         <source>{} has changes that are not saved. Save or discard them in Prepare first</source>
@@ -16245,8 +16205,8 @@ Mittel (µm)</translation>
         <translation>{} hat keine PIN; Grenzwerte ändern Bediener, die eine haben</translation>
     </message>
     <message>
-        <source>{} has shown the very same value for {:.1f} turns; check its sensor, amplifier and cable</source>
-        <translation>{} zeigt seit {} Umdrehungen genau denselben Wert; Sensor, Verstärker und Kabel prüfen</translation>
+        <source>{} has shown the same value for {:.1f} turns; check its sensor, amplifier and cable</source>
+        <translation>{} zeigt seit {} Umdrehungen denselben Wert; Sensor, Verstärker und Kabel prüfen</translation>
     </message>
     <message>
         <source>{} holds the {} at {:g} rpm already; for a new one name another record</source>
@@ -16259,10 +16219,6 @@ Mittel (µm)</translation>
     <message>
         <source>{} into a wall of {:.3g} mm with {:.3g} MPa, which is beyond linear elasticity; lower the force or give a stiffer bushing</source>
         <translation>{} in eine Wand von {} mm mit {} MPa, was jenseits der linearen Elastizität liegt; die Kraft senken oder eine steifere Buchse angeben</translation>
-    </message>
-    <message>
-        <source>{} is</source>
-        <translation>{} hat es</translation>
     </message>
     <message>
         <source>{} is a counter and cannot measure a {}</source>
@@ -16285,8 +16241,8 @@ Mittel (µm)</translation>
         <translation>{} kalibriert: {}, seit {}</translation>
     </message>
     <message>
-        <source>{} is declared as a bridge, and the {} has no bridge inputs; put a bridge amplifier with a voltage output before it and tell its output in V for 1 mV/V as bridge_amplifiers = {{ {} = ... }}</source>
-        <translation>{} ist als Brücke angegeben, und das {} hat keine Brückeneingänge; einen Brückenverstärker mit Spannungsausgang davorsetzen und seinen Ausgang in V je 1 mV/V als bridge_amplifiers = {{ {} = ... }} angeben</translation>
+        <source>{} is declared as a bridge, and the {} has no bridge inputs; use a bridge amplifier with a voltage output and state its output in V for 1 mV/V as bridge_amplifiers = {{ {} = ... }}</source>
+        <translation>{} ist als Brücke angegeben, und das {} hat keine Brückeneingänge; einen Brückenverstärker mit Spannungsausgang verwenden und seinen Ausgang in V je 1 mV/V als bridge_amplifiers = {{ {} = ... }} angeben</translation>
     </message>
     <message>
         <source>{} is done: a rest of {:g} s</source>
@@ -16337,7 +16293,7 @@ Mittel (µm)</translation>
         <translation>{} ist nicht die des Versuchs ({})</translation>
     </message>
     <message>
-        <source>{} is set otherwise than before: {}</source>
+        <source>{} is set differently from before: {}</source>
         <translation>{} ist anders eingestellt als zuvor: {}</translation>
     </message>
     <message>
@@ -16345,8 +16301,8 @@ Mittel (µm)</translation>
         <translation>{} ist {}, nachdem {} geschrieben wurde; das Gerät mit dem Programm des Herstellers prüfen</translation>
     </message>
     <message>
-        <source>{} is {} in the end, {} was asked for: another setting changed it; check the device with the maker&apos;s program</source>
-        <translation>{} ist am Ende {}, verlangt war {}: Eine andere Einstellung hat es geändert; das Gerät mit dem Programm des Herstellers prüfen</translation>
+        <source>{} is {} although {} was set: another setting changed it; check the device with the maker&apos;s program</source>
+        <translation>{} ist {}, obwohl {} gesetzt wurde: Eine andere Einstellung hat es geändert; das Gerät mit dem Programm des Herstellers prüfen</translation>
     </message>
     <message>
         <source>{} is {}{}: {}</source>
@@ -16377,11 +16333,11 @@ Mittel (µm)</translation>
         <translation>{} braucht {}</translation>
     </message>
     <message>
-        <source>{} of the last {} checks lie more than {:g} standard deviation{} {} the mean: something begins to change; watch it</source>
-        <translation>{} der letzten {} Prüfungen liegen mehr als {} Standardabweichungen{} {} dem Mittel: Etwas beginnt sich zu ändern; es beobachten</translation>
+        <source>{} of the last {} checks lie more than {:g} standard deviation{} {} the mean: the cell may be changing; watch it</source>
+        <translation>{} der letzten {} Prüfungen liegen mehr als {} Standardabweichungen{} {} dem Mittel: Der Kraftsensor verändert sich vielleicht; beobachten</translation>
     </message>
     <message>
-        <source>{} of this test, beside overload, overspeed and stale data</source>
+        <source>{} of this test, in addition to overload, overspeed and stale data</source>
         <translation>{} dieses Versuchs, neben Überlast, Überdrehzahl und veralteten Daten</translation>
     </message>
     <message>
@@ -16405,7 +16361,7 @@ Mittel (µm)</translation>
         <translation>{} von {} Zeilen sind beschädigt ({}): {}</translation>
     </message>
     <message>
-        <source>{} on {port} has told nothing for {age_s:.0f} s{why}.</source>
+        <source>{} on {port} has reported nothing for {age_s:.0f} s{why}.</source>
         <translation>{} an {port} hat seit {age_s:.0f} s nichts gemeldet{why}.</translation>
     </message>
     <message>
@@ -16493,8 +16449,8 @@ Mittel (µm)</translation>
         <translation>{} lag bei oder {} {} {} in {} Umdrehungen in Folge, zuletzt bei {} {}</translation>
     </message>
     <message>
-        <source>{} was changed in more than the records that it names; it counts when the engine is started again</source>
-        <translation>{} wurde in mehr als den Datensätzen geändert, die es nennt; es gilt, wenn die Steuerung neu gestartet wird</translation>
+        <source>{} has changes beyond the records that it names; it takes effect when the engine is started again</source>
+        <translation>{} hat Änderungen außer den Datensätzen, die es nennt; es gilt, wenn die Steuerung neu gestartet wird</translation>
     </message>
     <message>
         <source>{} was deleted while the test writes it</source>
@@ -16505,8 +16461,8 @@ Mittel (µm)</translation>
         <translation>{} wurde verschoben{}, während der Versuch sie schreibt</translation>
     </message>
     <message>
-        <source>{} was over before its {:g} rpm were reached</source>
-        <translation>{} war vorbei, bevor seine {} rpm erreicht waren</translation>
+        <source>{} ended before the spindle reached {:g} rpm</source>
+        <translation>{} endete, bevor die Spindel {} rpm erreichte</translation>
     </message>
     <message>
         <source>{} was refused: {}</source>
@@ -16545,8 +16501,8 @@ Mittel (µm)</translation>
         <translation>{} {}: Das ist die Parameterdatei; einen anderen Namen angeben</translation>
     </message>
     <message>
-        <source>{} {}: there is no such folder, or it is one itself</source>
-        <translation>{} {}: Einen solchen Ordner gibt es nicht, oder es ist selbst einer</translation>
+        <source>{} {}: The folder does not exist, or the path is a folder</source>
+        <translation>{} {}: Den Ordner gibt es nicht, oder der Pfad ist ein Ordner</translation>
     </message>
     <message>
         <source>{} {}: write speeds in rpm, such as 3,6</source>
@@ -16565,8 +16521,8 @@ Mittel (µm)</translation>
         <translation>{}, angenommen: {}</translation>
     </message>
     <message>
-        <source>{}, after revolution {}; it is started again and goes on from there</source>
-        <translation>{}, nach Umdrehung {}; sie wird neu gestartet und macht dort weiter</translation>
+        <source>{}, after revolution {}; it is started again and continues from there</source>
+        <translation>{}, nach Umdrehung {}; sie wird neu gestartet und läuft dort weiter</translation>
     </message>
     <message>
         <source>{}, allowed are {}</source>
@@ -16633,7 +16589,7 @@ Mittel (µm)</translation>
         <translation>{}.device = {} ist nicht unter den Geräten ({})</translation>
     </message>
     <message>
-        <source>{}.device = {} must be {}, the device of the encoder: inputs are sampled together with the crank angle; what another device tells comes with {}.source = &quot;DEVICE.QUANTITY&quot;</source>
+        <source>{}.device = {} must be {}, the device of the encoder: inputs are sampled together with the crank angle; values of another device are read with {}.source = &quot;DEVICE.QUANTITY&quot;</source>
         <translation>{}.device = {} muss {} sein, das Gerät des Drehgebers: Eingänge werden zusammen mit dem Kurbelwinkel abgetastet; was ein anderes Gerät meldet, kommt mit {}.source = &quot;DEVICE.QUANTITY&quot;</translation>
     </message>
     <message>
@@ -16669,8 +16625,8 @@ Mittel (µm)</translation>
         <translation>{}.table steigt und fällt; eine Spannung muss einen Wert bedeuten und ein Wert eine Spannung</translation>
     </message>
     <message>
-        <source>{}.table stands beside scale or offset_V; keep either the table or these</source>
-        <translation>{}.table steht neben scale oder offset_V; entweder die Tabelle oder diese behalten</translation>
+        <source>{}.table is given together with scale or offset_V; keep either the table or these</source>
+        <translation>{}.table ist zusammen mit scale oder offset_V angegeben; entweder die Tabelle oder diese behalten</translation>
     </message>
     <message>
         <source>{}.table {}: value {:g} is that of the row before; take one out</source>
@@ -16689,12 +16645,12 @@ Mittel (µm)</translation>
         <translation>{}.{} fehlt; {} = &quot;{}&quot; oder Ähnliches schreiben</translation>
     </message>
     <message>
-        <source>{}.{} means nothing beside {}.source; take one of them out, a channel is either an input or a source</source>
-        <translation>{}.{} bedeutet nichts neben {}.source; eines davon herausnehmen, ein Kanal ist entweder ein Eingang oder eine Quelle</translation>
+        <source>{}.{} has no effect with {}.source; remove one of them: a channel is either an input or a source</source>
+        <translation>{}.{} hat mit {}.source keine Wirkung; eines davon entfernen: Ein Kanal ist entweder ein Eingang oder eine Quelle</translation>
     </message>
     <message>
-        <source>{}.{} means nothing with law = {}; take it out or choose the law that reads it</source>
-        <translation>{}.{} bedeutet nichts bei law = {}; herausnehmen oder das Gesetz wählen, das es liest</translation>
+        <source>{}.{} has no effect with law = {}; remove it or choose the law that uses it</source>
+        <translation>{}.{} hat bei law = {} keine Wirkung; entfernen oder das Gesetz wählen, das es verwendet</translation>
     </message>
     <message>
         <source>{}: --decimal and --separator are of .csv files</source>
@@ -16753,7 +16709,7 @@ Mittel (µm)</translation>
         <translation>{}: Eine andere Kalibrierung schreibt dieses Journal; sie schließen oder ein anderes nennen</translation>
     </message>
     <message>
-        <source>{}: another process is writing this test; stop it there before going on with it here</source>
+        <source>{}: another process is writing this test; stop it there before resuming it here</source>
         <translation>{}: Ein anderer Prozess schreibt diesen Versuch; ihn dort stoppen, bevor er hier fortgesetzt wird</translation>
     </message>
     <message>
@@ -16769,8 +16725,8 @@ Mittel (µm)</translation>
         <translation>{}: Ein anderes Programm ändert die Warteschlange seit {} s; es noch einmal versuchen</translation>
     </message>
     <message>
-        <source>{}: another program has cut the file short while the test writes it; keep a copy of what is left of it, and see what rigapp info says of it</source>
-        <translation>{}: Ein anderes Programm hat die Datei abgeschnitten, während der Versuch sie schreibt; eine Kopie von dem aufheben, was übrig ist, und nachsehen, was rigapp info dazu sagt</translation>
+        <source>{}: another program truncated the file while the test writes it; keep a copy of the rest, and check it with rigapp info</source>
+        <translation>{}: Ein anderes Programm hat die Datei abgeschnitten, während der Versuch sie schreibt; eine Kopie des Rests aufheben und mit rigapp info prüfen</translation>
     </message>
     <message>
         <source>{}: another program records this run; let it end first</source>
@@ -16781,12 +16737,12 @@ Mittel (µm)</translation>
         <translation>{}: Ein anderes Fenster startet seit {} s eine Steuerung; es noch einmal versuchen</translation>
     </message>
     <message>
-        <source>{}: belongs to somebody else; make it yours</source>
-        <translation>{}: gehört jemand anderem; sie sich zu eigen machen</translation>
+        <source>{}: belongs to another user; make it yours</source>
+        <translation>{}: gehört einem anderen Benutzer; sie sich zu eigen machen</translation>
     </message>
     <message>
-        <source>{}: belongs to somebody else{}</source>
-        <translation>{}: gehört jemand anderem{}</translation>
+        <source>{}: belongs to another user{}</source>
+        <translation>{}: gehört einem anderen Benutzer{}</translation>
     </message>
     <message>
         <source>{}: cannot be read ({})</source>
@@ -16841,8 +16797,8 @@ Mittel (µm)</translation>
         <translation>{}: Jedes Geheimnis ist ein Text in Anführungszeichen und nicht leer</translation>
     </message>
     <message>
-        <source>{}: exists already; nothing is overwritten</source>
-        <translation>{}: gibt es schon; nichts wird überschrieben</translation>
+        <source>{}: exists already and is not overwritten</source>
+        <translation>{}: gibt es schon und wird nicht überschrieben</translation>
     </message>
     <message>
         <source>{}: exists and is not overwritten; name another record</source>
@@ -16857,8 +16813,8 @@ Mittel (µm)</translation>
         <translation>{}: Von der ersten zur letzten Hälfte ändert sich die Karte um {} um: den Prüfstand warm- und einlaufen lassen und noch einmal umlaufen</translation>
     </message>
     <message>
-        <source>{}: got {}, wanted {} values</source>
-        <translation>{}: {} statt {} Werte erhalten</translation>
+        <source>{}: {} values given, {} expected</source>
+        <translation>{}: {} Werte angegeben, {} erwartet</translation>
     </message>
     <message>
         <source>{}: has no schema; say {}</source>
@@ -16873,8 +16829,8 @@ Mittel (µm)</translation>
         <translation>{}: enthält keinen geheimen Schlüssel; sie löschen</translation>
     </message>
     <message>
-        <source>{}: holds revolution {} of {} planned; nothing is left to do</source>
-        <translation>{}: enthält Umdrehung {} von {} geplanten; es bleibt nichts zu tun</translation>
+        <source>{}: holds revolution {} of {} planned; no revolution is left to do</source>
+        <translation>{}: enthält Umdrehung {} von {} geplanten; keine Umdrehung ist mehr zu tun</translation>
     </message>
     <message>
         <source>{}: is a device or a socket; name a file</source>
@@ -16885,8 +16841,8 @@ Mittel (µm)</translation>
         <translation>{}: ist eine Verknüpfung, kein Ordner{}</translation>
     </message>
     <message>
-        <source>{}: is a pipe into which nobody wrote within {:g} s; name a file</source>
-        <translation>{}: ist eine Pipe, in die innerhalb von {} s niemand schrieb; eine Datei nennen</translation>
+        <source>{}: is a pipe without data for {:g} s; name a file</source>
+        <translation>{}: ist seit {} s eine Pipe ohne Daten; eine Datei nennen</translation>
     </message>
     <message>
         <source>{}: is larger than {:.0f} MB; name another file</source>
@@ -16897,8 +16853,8 @@ Mittel (µm)</translation>
         <translation>{}: ist kein TOML aus Zeilen wie name = &quot;geheim&quot;</translation>
     </message>
     <message>
-        <source>{}: is no folder; nothing is written, name another folder</source>
-        <translation>{}: ist kein Ordner; nichts wird geschrieben, einen anderen Ordner nennen</translation>
+        <source>{}: is not a folder; nothing was written. Name another folder</source>
+        <translation>{}: ist kein Ordner; nichts wurde geschrieben. Einen anderen Ordner nennen</translation>
     </message>
     <message>
         <source>{}: is no small file of yours; a link is not followed</source>
@@ -16909,8 +16865,8 @@ Mittel (µm)</translation>
         <translation>{}: ist keine kleine Datei; die Geheimnisse in eine schreiben</translation>
     </message>
     <message>
-        <source>{}: it holds no whole revolution; give a test with data</source>
-        <translation>{}: enthält keine ganze Umdrehung; einen Versuch mit Daten angeben</translation>
+        <source>{}: it holds no complete revolution; give a test with data</source>
+        <translation>{}: enthält keine vollständige Umdrehung; einen Versuch mit Daten angeben</translation>
     </message>
     <message>
         <source>{}: its head is damaged or it is not an HDF5 file; take another copy</source>
@@ -16925,15 +16881,15 @@ Mittel (µm)</translation>
         <translation>{}: Seine Messungen ergeben diese Zahl nicht</translation>
     </message>
     <message>
-        <source>{}: its structure is damaged and nothing in it can be found; take another copy</source>
-        <translation>{}: Die Struktur ist beschädigt, nichts darin ist auffindbar; nehmen Sie eine andere Kopie</translation>
+        <source>{}: its structure is damaged and no data can be found; take another copy</source>
+        <translation>{}: Die Struktur ist beschädigt, es sind keine Daten zu finden; eine andere Kopie nehmen</translation>
     </message>
     <message>
         <source>{}: laboratory.logo = {} cannot be read</source>
         <translation>{}: laboratory.logo = {} lässt sich nicht lesen</translation>
     </message>
     <message>
-        <source>{}: laboratory.logo = {} is no file beside it; name one there</source>
+        <source>{}: laboratory.logo = {}: there is no such file beside it; name a file there</source>
         <translation>{}: laboratory.logo = {} ist keine Datei daneben; eine dort angeben</translation>
     </message>
     <message>
@@ -16945,15 +16901,15 @@ Mittel (µm)</translation>
         <translation>{}: Zeile {} wurde geändert, oder eine Zeile davor fehlt; an diese Datei wird nur angefügt. Eine andere beginnen und diese aufheben</translation>
     </message>
     <message>
-        <source>{}: name a file by its whole path, with the ending .zip</source>
-        <translation>{}: eine Datei mit ganzem Pfad und der Endung .zip nennen</translation>
+        <source>{}: give the full path of a file with the ending .zip</source>
+        <translation>{}: den vollständigen Pfad einer Datei mit der Endung .zip angeben</translation>
     </message>
     <message>
         <source>{}: name the address of one interface, not all of them</source>
         <translation>{}: die Adresse einer Schnittstelle nennen, nicht alle</translation>
     </message>
     <message>
-        <source>{}: not asked, it is no USB device itself</source>
+        <source>{}: not queried, it is not a USB device itself</source>
         <translation>{}: nicht befragt, es ist selbst kein USB-Gerät</translation>
     </message>
     <message>
@@ -16973,8 +16929,8 @@ Mittel (µm)</translation>
         <translation>{}: es gibt kein Gerät {}</translation>
     </message>
     <message>
-        <source>{}: this file is of an older version, which kept nothing by which its rows could be proved; take another copy</source>
-        <translation>{}: Die Datei stammt von einer älteren Version, die nichts ablegte, womit sich ihre Zeilen prüfen lassen; eine andere Kopie nehmen</translation>
+        <source>{}: this file is of an older version without check values of its rows; take another copy</source>
+        <translation>{}: Die Datei stammt von einer älteren Version ohne Prüfwerte der Zeilen; eine andere Kopie nehmen</translation>
     </message>
     <message>
         <source>{}: not a list of faults: {}</source>
@@ -17021,8 +16977,8 @@ Mittel (µm)</translation>
         <translation>der Kalibrierdatensatz {} für {} {}</translation>
     </message>
     <message>
-        <source>the drive cannot be used: it has nothing for {}</source>
-        <translation>der Antrieb ist nicht verwendbar: er hat nichts für {}</translation>
+        <source>the drive cannot be used: it lacks {}</source>
+        <translation>der Antrieb ist nicht verwendbar: ihm fehlt {}</translation>
     </message>
     <message>
         <source>weights: {}: give 1 to 64 pieces of up to {:g} kg</source>
@@ -17037,20 +16993,20 @@ Mittel (µm)</translation>
         <translation>{}: zwischen den Zeilen {} und {} nicht wie versiegelt</translation>
     </message>
     <message>
-        <source>{}: nothing is left to do. {}</source>
-        <translation>{}: es bleibt nichts zu tun. {}</translation>
+        <source>{}: no revolution is left to do. {}</source>
+        <translation>{}: keine Umdrehung ist mehr zu tun. {}</translation>
     </message>
     <message>
-        <source>{}: nothing more is predicted in this test</source>
-        <translation>{}: In diesem Versuch wird nichts mehr vorhergesagt</translation>
+        <source>{}: there will be no more predictions in this test</source>
+        <translation>{}: In diesem Versuch gibt es keine weiteren Vorhersagen</translation>
     </message>
     <message>
-        <source>{}: notify.name = {} stands in the rig file, too</source>
-        <translation>{}: notify.name = {} steht auch in der Prüfstandsdatei</translation>
+        <source>{}: notify.name = {} is in the rig file, too</source>
+        <translation>{}: notify.name = {} ist auch in der Prüfstandsdatei</translation>
     </message>
     <message>
-        <source>{}: only {} whole, undisturbed revolutions; take at least {}, better {}</source>
-        <translation>{}: nur {} ganze, ungestörte Umdrehungen; mindestens {} nehmen, besser {}</translation>
+        <source>{}: only {} complete, undisturbed revolutions; take at least {}, better {}</source>
+        <translation>{}: nur {} vollständige, ungestörte Umdrehungen; mindestens {} nehmen, besser {}</translation>
     </message>
     <message>
         <source>{}: others can read the key that seals tests; chmod 600 it</source>
@@ -17097,8 +17053,8 @@ Mittel (µm)</translation>
         <translation>{}: schema fehlt; oben schema = {} schreiben</translation>
     </message>
     <message>
-        <source>{}: tables, lists or keys lie {} deep, {} at most; check the brackets and the dots</source>
-        <translation>{}: Tabellen, Listen oder Schlüssel liegen {} tief, höchstens {}; Klammern und Punkte prüfen</translation>
+        <source>{}: nesting is {} levels deep; the maximum is {}. Check the brackets and the dots</source>
+        <translation>{}: Die Verschachtelung ist {} Ebenen tief; höchstens {}. Klammern und Punkte prüfen</translation>
     </message>
     <message>
         <source>{}: that is the test of {} again; give it once</source>
@@ -17129,8 +17085,12 @@ Mittel (µm)</translation>
         <translation>{}: Die Festplatte verweigerte, den Platz für den Rest des Versuchs zu reservieren ({}); {} MB frei machen</translation>
     </message>
     <message>
-        <source>{}: the disk refused to reserve the room for the test ({}); free some space or keep fewer whole cycles</source>
-        <translation>{}: Die Festplatte verweigerte, den Platz für den Versuch zu reservieren ({}); Platz frei machen oder weniger ganze Zyklen behalten</translation>
+        <source>{}: the disk refused to reserve space for the test ({}); free some space or store fewer cycles</source>
+        <translation>{}: Die Festplatte verweigerte, Platz für den Versuch zu reservieren ({}); Platz frei machen oder weniger Zyklen speichern</translation>
+    </message>
+    <message>
+        <source>you do not control this rig; {} does</source>
+        <translation>Sie haben die Steuerung dieses Prüfstands nicht; sie hat {}</translation>
     </message>
     <message>
         <source>{}: the elastic motion of the pin cannot be taken off: {}; roll again with --test and the test file of this bushing</source>
@@ -17161,7 +17121,7 @@ Mittel (µm)</translation>
         <translation>{}: Die Datei gibt es schon, und sie wird nicht überschrieben; einen anderen Namen angeben</translation>
     </message>
     <message>
-        <source>{}: the file exists and is not overwritten; give another name, or use resume to go on with it</source>
+        <source>{}: the file exists and is not overwritten; give another name, or use resume to continue it</source>
         <translation>{}: Die Datei gibt es schon, und sie wird nicht überschrieben; einen anderen Namen angeben oder sie mit resume fortsetzen</translation>
     </message>
     <message>
@@ -17185,16 +17145,16 @@ Mittel (µm)</translation>
         <translation>{}: Die Datei ist abgeschnitten, vielleicht eine unfertige Kopie; sie noch einmal kopieren</translation>
     </message>
     <message>
-        <source>{}: the file is damaged and stays as it is; salvage what is sound: rigapp salvage FILE --to NEW.h5</source>
-        <translation>{}: Die Datei ist beschädigt und bleibt, wie sie ist; retten Sie das Unversehrte: rigapp salvage FILE --to NEW.h5</translation>
+        <source>{}: the file is damaged and is not changed; recover the intact data: rigapp salvage FILE --to NEW.h5</source>
+        <translation>{}: Die Datei ist beschädigt und wird nicht geändert; unversehrte Daten retten: rigapp salvage FILE --to NEW.h5</translation>
     </message>
     <message>
-        <source>{}: the file is damaged; salvage what is sound with rigapp salvage FILE --to NEW.h5, and begin a new test</source>
-        <translation>{}: Die Datei ist beschädigt; retten Sie das Unversehrte mit rigapp salvage FILE --to NEW.h5, und beginnen Sie einen neuen Versuch</translation>
+        <source>{}: the file is damaged; recover the intact data with rigapp salvage FILE --to NEW.h5, and begin a new test</source>
+        <translation>{}: Die Datei ist beschädigt; unversehrte Daten retten mit rigapp salvage FILE --to NEW.h5, und einen neuen Versuch beginnen</translation>
     </message>
     <message>
-        <source>{}: the file is damaged; salvage what is sound: rigapp salvage FILE --to NEW.h5</source>
-        <translation>{}: Die Datei ist beschädigt; retten Sie das Unversehrte: rigapp salvage FILE --to NEW.h5</translation>
+        <source>{}: the file is damaged; recover the intact data: rigapp salvage FILE --to NEW.h5</source>
+        <translation>{}: Die Datei ist beschädigt; unversehrte Daten retten: rigapp salvage FILE --to NEW.h5</translation>
     </message>
     <message>
         <source>{}: the file is empty; a copy of the test must be restored</source>
@@ -17261,8 +17221,8 @@ Mittel (µm)</translation>
         <translation>{}: Die Umläufe weichen um {} um von der Karte ab: Der Bolzen bewegt sich mit der Last in der Koppel. Dieser Teil ist kein Rundlauf; er zählt als Unsicherheit</translation>
     </message>
     <message>
-        <source>{}: the run-out is not larger than its uncertainty ({:.2f} um, u = {:.2f} um); applying the map gains nothing</source>
-        <translation>{}: Der Rundlauf ist nicht größer als seine Unsicherheit ({} um, u = {} um); die Karte anzuwenden bringt nichts</translation>
+        <source>{}: the run-out is not larger than its uncertainty ({:.2f} um, u = {:.2f} um); there is no gain in applying the map</source>
+        <translation>{}: Der Rundlauf ist nicht größer als seine Unsicherheit ({} um, u = {} um); die Karte bringt keinen Gewinn</translation>
     </message>
     <message>
         <source>{}: the seal could not be written ({}); the original is untouched, free some space</source>
@@ -17281,16 +17241,16 @@ Mittel (µm)</translation>
         <translation>{}: Der Versuch ist im Zustand {}; nur ein beendeter Versuch wird komprimiert</translation>
     </message>
     <message>
-        <source>{}: the test needs a file of {:.0f} MB, but this system allows files of {:.0f} MB; {:.1f} MB are missing, keep fewer whole cycles or raise the limit (ulimit -f)</source>
-        <translation>{}: Der Versuch braucht eine Datei von {} MB, aber dieses System erlaubt Dateien von {} MB; {} MB fehlen, weniger ganze Zyklen behalten oder die Grenze erhöhen (ulimit -f)</translation>
+        <source>{}: the test needs a file of {:.0f} MB, but this system allows files of {:.0f} MB; {:.1f} MB are missing. Store fewer cycles or raise the limit (ulimit -f)</source>
+        <translation>{}: Der Versuch braucht eine Datei von {} MB, aber dieses System erlaubt Dateien von {} MB; {} MB fehlen. Weniger Zyklen speichern oder die Grenze erhöhen (ulimit -f)</translation>
     </message>
     <message>
         <source>{}: the test was ended ({}) and its file compressed; begin a new test</source>
         <translation>{}: Der Versuch wurde beendet ({}) und seine Datei komprimiert; einen neuen Versuch beginnen</translation>
     </message>
     <message>
-        <source>{}: the test was {} with all its {} revolutions; there is nothing to go on with, begin a new test</source>
-        <translation>{}: Der Versuch endete im Zustand {} mit allen seinen {} Umdrehungen; es gibt nichts fortzusetzen, einen neuen Versuch beginnen</translation>
+        <source>{}: the test was {} with all its {} revolutions; no revolution is left to do. Begin a new test</source>
+        <translation>{}: Der Versuch endete im Zustand {} mit allen seinen {} Umdrehungen; keine ist mehr zu tun. Einen neuen Versuch beginnen</translation>
     </message>
     <message>
         <source>{}: the {} has no range of {:g} V; it has {} V</source>
@@ -17425,12 +17385,12 @@ Mittel (µm)</translation>
         <translation>{}: {} Dann sie wiederholen</translation>
     </message>
     <message>
-        <source>{}: {} already; nothing is written, as nothing is overwritten. Name another folder, or move what is there</source>
-        <translation>{}: {} schon; nichts wird geschrieben, denn nichts wird überschrieben. Einen anderen Ordner nennen oder verschieben, was dort ist</translation>
+        <source>{}: {} already; nothing was written or overwritten. Name another folder, or move the present one</source>
+        <translation>{}: {} schon; nichts wurde geschrieben oder überschrieben. Einen anderen Ordner nennen oder den vorhandenen verschieben</translation>
     </message>
     <message>
-        <source>{}: {} failed ({}); what was committed before is safe, check the disk before resuming</source>
-        <translation>{}: {} schlug fehl ({}); was vorher gesichert wurde, ist sicher, vor dem Fortsetzen die Festplatte prüfen</translation>
+        <source>{}: {} failed ({}); data committed before are safe. Check the disk before resuming</source>
+        <translation>{}: {} schlug fehl ({}); vorher gesicherte Daten sind sicher. Vor dem Fortsetzen die Festplatte prüfen</translation>
     </message>
     <message>
         <source>{}: {} has no name there; edit the file</source>
@@ -17457,20 +17417,20 @@ Mittel (µm)</translation>
         <translation>{}: Statt {} ist {} verlangt. {}</translation>
     </message>
     <message>
-        <source>{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing, free them or keep fewer whole cycles</source>
-        <translation>{}: {} braucht {} MB, {} hat {} MB frei; {} MB fehlen, sie frei machen oder weniger ganze Zyklen behalten</translation>
+        <source>{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing. Free space or store fewer cycles</source>
+        <translation>{}: {} braucht {} MB, {} hat {} MB frei; {} MB fehlen. Platz frei machen oder weniger Zyklen speichern</translation>
     </message>
     <message>
-        <source>{}: {} not predicted, {}; their wear is made up for with the forces of later ones</source>
-        <translation>{}: {} nicht vorhergesagt, {}; ihr Verschleiß wird mit den Kräften späterer nachgeholt</translation>
+        <source>{}: {} not predicted, {}; their wear is added with the forces of later ones</source>
+        <translation>{}: {} nicht vorhergesagt, {}; ihr Verschleiß wird mit den Kräften späterer ergänzt</translation>
     </message>
     <message>
         <source>{}: {} revolutions; with {} the spread is known better</source>
         <translation>{}: {} Umdrehungen; mit {} ist die Streuung besser bekannt</translation>
     </message>
     <message>
-        <source>{}: {} row {} is not where HDF5 says ({}); no test can be stored with this HDF5 library, run rigapp doctor</source>
-        <translation>{}: {} Zeile {} ist nicht, wo HDF5 sagt ({}); mit dieser HDF5-Bibliothek lässt sich kein Versuch speichern, rigapp doctor ausführen</translation>
+        <source>{}: {} row {} is not where HDF5 reports it ({}); no test can be stored with this HDF5 library, run rigapp doctor</source>
+        <translation>{}: {} Zeile {} ist nicht, wo HDF5 sie meldet ({}); mit dieser HDF5-Bibliothek lässt sich kein Versuch speichern, rigapp doctor ausführen</translation>
     </message>
     <message>
         <source>{}: {} rows were sealed, {} are there</source>
@@ -17485,7 +17445,7 @@ Mittel (µm)</translation>
         <translation>{}: {} Messwerte sind zu wenig für {} Ordnungen; schneller abtasten oder weniger Ordnungen verlangen</translation>
     </message>
     <message>
-        <source>{}: {} {:.1f} % {} of the same load than before: the gain changed (range, excitation, filter or cable?). Find out why, and take all series again</source>
+        <source>{}: {} {:.1f} % {} of the same load than before: the gain changed (range, excitation, filter or cable?). Find the cause, and take all series again</source>
         <translation>{}: Von derselben Last {} {} % {} als zuvor: Die Empfindlichkeit hat sich geändert (Bereich, Speisung, Filter oder Kabel?). Die Ursache finden und alle Reihen neu aufnehmen</translation>
     </message>
     <message>

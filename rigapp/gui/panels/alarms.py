@@ -57,7 +57,7 @@ LINES: Final[dict[str, Text]] = {
 }
 """Fields of an alarm that a card shows in full, with their captions."""
 
-RECORDED: Final[Text] = "This is a replay: what was recorded stays as it was"
+RECORDED: Final[Text] = "This is a replay: the recording is not changed"
 BESIDE_FROM, LIST = 100 * STEP, 32 * STEP
 """Width for limits and journal beside each other, height of each below the other."""
 TITLE_WIDTH = 16 * STEP
@@ -256,7 +256,7 @@ class AlarmGlance(QFrame):
             "glance_acknowledge",
             "Ac&knowledge",
             self._acknowledge,
-            "Acknowledge the alarm that is told in full",
+            "Acknowledge the alarm that is shown in full",
         )
         self.cards.changed.connect(self._enable)
         column(
@@ -325,8 +325,10 @@ class AlarmPanel(QWidget):
             lambda: self.wanted.emit("reset", {}),
             "Reset after a trip",
             guarded=True,
-            tip="The deliberate action before another start: every critical alarm must be"
-            " acknowledged and its cause gone. Nothing moves.",
+            tip=(
+                "Reset before the next start. Every critical alarm must be acknowledged and"
+                " its cause removed. Nothing moves."
+            ),
         )
         tools = flowing(
             self.all, self.acknowledge, self.reset, (self.reason, 1), self.minutes, self.shelve

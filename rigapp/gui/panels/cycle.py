@@ -350,7 +350,7 @@ class CyclePanel(FoldingSplitter):
         self.divide((left, 860, TALL), (self.right, 500, TALL))
 
     def _add_tools(self) -> None:
-        self.hold = button("cycle_hold", "&Hold", self._held, "Hold the picture", checkable=True)
+        self.hold = button("cycle_hold", "&Hold", self._held, "Freeze the picture", checkable=True)
         self.stored = whole_number(
             "cycle_stored", "Stored revolution to compare with", 1, 1_000_000_000
         )

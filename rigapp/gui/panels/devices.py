@@ -43,7 +43,9 @@ CHANNEL_HEADINGS: Final[tuple[Text, ...]] = (
     "Channel", "Signal", "Value", "Uncertainty", "Calibration", "What is positive",
 )  # fmt: skip
 SIGNS: Final[dict[str, Text]] = {
-    "force_1": "F on the follower, away from the crank's centre (the cell feels the opposite)",
+    "force_1": (
+        "F on the follower, away from the crank's centre (the cell carries the opposite force)"
+    ),
     "force_2": "F on the follower, across the crank, counter-clockwise (the cell: the opposite)",
     "probe_1": "the pin moves along the follower towards the slider",
     "probe_2": "the pin moves across the follower, counter-clockwise",
@@ -87,8 +89,10 @@ class LinkWatch:
             )
             return words, True
         if lost or errors:
-            return tr("good now; {} samples lost, {} errors before", grouped(lost), errors), False
-        return tr("good, nothing lost"), False
+            return tr(
+                "no errors now; {} samples lost, {} errors before", grouped(lost), errors
+            ), False
+        return tr("no errors, no data lost"), False
 
 
 class DeviceCard(QFrame):
@@ -108,7 +112,7 @@ class DeviceCard(QFrame):
         self.identity = prose(f"{name}_identity", "Driver, identity and port", role="secondary")
         self.link = prose(f"{name}_link", "Quality of the link")
         self.warnings = prose(f"{name}_warnings", "Warnings of the device")
-        self.details = prose(f"{name}_details", "What was counted on the line", role="caption")
+        self.details = prose(f"{name}_details", "Counters of the line", role="caption")
         self.details.hide()
         self.more = button(
             f"{name}_more", "Details", self.details.setVisible, checkable=True, rank="quiet"
@@ -247,8 +251,10 @@ class DevicePanel(QWidget):
             "Pow&er off",
             lambda: self.wanted.emit("drive_off", {}),
             "Power off the drive",
-            tip="Take the power off the motor at once; a test under way ends. This is not the"
-            " emergency stop.",
+            tip=(
+                "Switch off the motor power at once; a running test ends. This is not the"
+                " emergency stop."
+            ),
         )
         self.reason = edit(
             "zero_reason",
@@ -262,8 +268,10 @@ class DevicePanel(QWidget):
             self._zero,
             "Zero the load cell",
             guarded=True,
-            tip="Take the present signals as zero force: the crank stands, the pin carries nothing."
-            " Old and new zero are logged; the calibration is not touched.",
+            tip=(
+                "Take the present signals as zero force: the crank is stationary and the pin"
+                " unloaded. Old and new zero are logged; the calibration is not changed."
+            ),
         )
         fit_hint(self.reason)
         tools = flowing(
@@ -371,7 +379,7 @@ class DevicePanel(QWidget):
 
     def _show_health(self, status: Status | None, silence_s: float) -> None:
         rows: list[tuple[Text, str]] = [
-            ("Last word of the engine", tr("{:.1f} s ago", silence_s)),
+            ("Last message from the engine", tr("{:.1f} s ago", silence_s)),
             ("Stalls of this window over 50 ms", str(self._watchdog.stalls)),
             ("Longest stall", f"{1000.0 * self._watchdog.worst_s:.0f} ms"),
         ]

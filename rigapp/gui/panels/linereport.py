@@ -23,8 +23,8 @@ TIMES: Final[dict[Text, float]] = {
     "until it is ended": 0.0,
 }
 ABOUT: Final[Text] = (
-    "Keeps all that is said on the line and packs it with log, rig file and versions into one file"
-    " for whoever helps you. Names, folders, addresses and keys are taken out."
+    "Records all device traffic and packs it with log, rig file and versions into one"
+    " file to send with a bug report. Names, folders, addresses and keys are removed."
 )
 
 
@@ -46,7 +46,7 @@ class LineReportCard(QFrame):
             QCheckBox(tr("Reconnect first")),
             "report_reconnect",
             "Reconnect first",
-            "Records how the devices are found and set up, too. Not while a test runs.",
+            "Also records how the devices are found and set up. Not during a test.",
         )
         self.reconnect.setChecked(True)
         self.record = button(
@@ -115,4 +115,6 @@ def words_of(report: LineReport, now: float) -> str:
     if report.until:
         left = max(0.0, report.until - now)
         return tr("Recording {}: {:.0f} s, {:.0f} s left.", devices, since, left)
-    return tr("Recording {}: {:.0f} s. End and pack it when you have seen it.", devices, since)
+    return tr(
+        "Recording {}: {:.0f} s. End and pack it when you have seen the fault.", devices, since
+    )

@@ -50,7 +50,7 @@ from rigapp.viewer.series import LiveData
 CYCLE: Final = "cycle"
 """The plot of the newest revolution; the others are trends, by their quantity."""
 EMPTY_PAGE: Final[Text] = (
-    "This page is yours: add tiles and plots, move them, and save them with the test file."
+    "Arrange this page: add tiles and plots, move them, and save them with the test file."
 )
 TILE_WIDTH, PLOT_WIDTH, PLOT_HEIGHT = 20 * STEP, 52 * STEP, 36 * STEP
 TILES_ACROSS = 6
@@ -58,7 +58,7 @@ SMALL = QSize(3 * STEP, 3 * STEP)
 MOVES: Final[tuple[tuple[str, str, Text], ...]] = (
     ("earlier", "‹", "Move to the front"),
     ("later", "›", "Move to the back"),
-    ("away", "×", "Take away"),
+    ("away", "×", "Remove"),
 )
 """Buttons of each part: name, sign, and what they do."""
 

@@ -22,10 +22,10 @@ NO_TESTS: Final[Text] = (
     "No test is in the queue. Add test files: each is recorded into a file of its own, and the next"
     " one begins when one is complete."
 )
-STANDS: Final[Text] = "The queue stands; {} to be done."
-WORKS: Final[Text] = "The queue works: the next test begins by itself; {} to be done."
+STANDS: Final[Text] = "Queue paused; {} to be done."
+WORKS: Final[Text] = "Queue running: the next test starts by itself; {} to be done."
 STOPPED: Final[Text] = (
-    "Test {} did not end as planned, and the queue stopped there. Start the queue to go on with it"
+    "Test {} did not end as planned, so the queue stopped. Start the queue to resume it"
     " in its own file, or remove it."
 )
 STATES: Final[dict[ItemState, Text]] = {
@@ -60,7 +60,7 @@ class QueuePanel(QWidget):
             "queue_start",
             "Start the &queue",
             lambda: self.wanted.emit("queue_start", {}),
-            tip="Begin the next test, or go on with the one that stopped",
+            tip="Begin the next test, or resume the one that stopped",
             guarded=True,
             rank="primary",
         )
@@ -68,7 +68,7 @@ class QueuePanel(QWidget):
             "queue_stop",
             "Stop &after this test",
             lambda: self.wanted.emit("queue_stop", {}),
-            tip="The test that runs goes on to its end; no other one begins",
+            tip="The running test continues to its end; no other one starts",
             guarded=True,
         )
         self.add = button("queue_add", "A&dd test files…", self._choose, guarded=True)
@@ -76,7 +76,7 @@ class QueuePanel(QWidget):
             "queue_remove",
             "Re&move",
             self._remove,
-            tip="Take the chosen test out of the queue; what it has recorded stays",
+            tip="Remove the selected test from the queue; its recording is kept",
             guarded=True,
         )
         buttons = flowing(self.begin, self.halt, None, self.add, self.take_out)

@@ -30,8 +30,8 @@ from rigapp.viewer.news import News, Takes
 TALL = 5 * STEP
 PAPERS_WIDTH, PLOT_WIDTH = 38 * STEP, 40 * STEP
 """Of documents and plot, at least; the documents move below where they do not fit beside it."""
-RESUME: Final[Text] = "Go on with the test in its own file"
-READING: Final[Text] = "Reading what the test came to …"
+RESUME: Final[Text] = "Resume the test in its own file"
+READING: Final[Text] = "Reading the results …"
 
 
 def has_result(news: News) -> bool:
@@ -83,7 +83,7 @@ class EndPage(QWidget):
             "new": button(
                 "end_new", "New spec&imen…", self._new, tip="Prepare the test of the next specimen"
             ),
-            "on": button("end_on", "&Go on with this one…", self._go_on, tip=RESUME, guarded=True),
+            "on": button("end_on", "Res&ume this test…", self._go_on, tip=RESUME, guarded=True),
         }
         self._pump = ShelfPump(host.results, lambda: None, self)
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
@@ -189,7 +189,7 @@ class EndPage(QWidget):
         on.setEnabled(result is not None and result.status in RESUMABLE)
         on.setToolTip(tr(RESUME))
         if result is not None and not on.isEnabled():
-            on.setToolTip(tr("A complete test is over; prepare another one with New specimen"))
+            on.setToolTip(tr("The test is complete; prepare the next one with New specimen"))
 
     def _report(self) -> None:
         self.documents.begin(HTML)

@@ -51,7 +51,7 @@ BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 112 * STEP, 44 * STEP, 60 * STEP
 """Width of list and card beside each other; height of each below the other."""
 BOTH_HEIGHT = 70 * STEP
 """Of list and comparison below each other; in a lower page the list folds."""
-NO_CHOICE: Final[Text] = "Choose a test: what it came to stands here."
+NO_CHOICE: Final[Text] = "Select a test to see its results."
 TRIPPED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
 """Outcomes of which a file may have the seconds around a trip."""
 
@@ -109,7 +109,7 @@ class ResultsPanel(QWidget):
             "result_ending", "Show only tests that ended so", endings, self._filter
         )
         self.count = prose("result_count", "Tests in the folder", role="caption")
-        self.again = button("result_again", "&Look again", self.look, tip="Read the folder again")
+        self.again = button("result_again", "Refres&h", self.look, tip="Read the folder again")
         self.card = ResultCard("result_card", theme, across=2)
         self.documents = DocumentPanel("result", self.reported.emit)
         self.buttons = {
@@ -117,7 +117,7 @@ class ResultsPanel(QWidget):
                 "result_open",
                 "Open",
                 self._open_chosen,
-                tip="Replay the whole test in a window of its own (Enter)",
+                tip="Replay the complete test in a separate window (Enter)",
                 rank="primary",
             ),
             "compare": button(
@@ -134,9 +134,9 @@ class ResultsPanel(QWidget):
             ),
             "resume": button(
                 "result_resume",
-                "&Go on with it",
+                "&Resume test",
                 self._resume,
-                tip="Go on with an interrupted or stopped test",
+                tip="Resume an interrupted or stopped test",
                 guarded=True,
             ),
         }

@@ -62,7 +62,7 @@ WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
     Act.TRY: (
         Icon.TRY,
         "Try the simulated rig",
-        "A short test on a rig of software.",
+        "A short test on the simulated rig.",
         "Try it",
         TRY_KEY,
     ),
@@ -80,7 +80,7 @@ WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
         "Calibrate",
         "F3",
     ),
-    Act.RESULTS: (Icon.RESULTS, "Open results", "Look, compare, report.", "Open", "Ctrl+8"),
+    Act.RESULTS: (Icon.RESULTS, "Open results", "View, compare, report.", "Open", "Ctrl+8"),
 }
 """The ways on in their order: icon, title, what it is, the text of the button, and its key.
 
@@ -198,10 +198,10 @@ class StartPage(QWidget):
             self.rig.setText(occupied_text(status))
         elif status is None:
             self.rig.setText(
-                tr("Looking for the engine of the rig. Results can be opened meanwhile.")
+                tr("Searching for the engine of the rig. Results can be opened meanwhile.")
             )
         elif status.rig.simulated:
-            self.rig.setText(tr("{} is simulated: nothing real turns.", status.rig.name))
+            self.rig.setText(tr("{} is simulated: no real spindle turns.", status.rig.name))
         else:
             self.rig.setText(
                 tr("{} is a real rig. The simulated one opens beside it.", status.rig.name)
@@ -224,7 +224,9 @@ LEAST_CHARACTERS = 18
 """Visible of a device and a port at least; their names are longer."""
 FILES_HEIGHT = 34 * STEP
 """All rows: nothing scrolls within the page that scrolls."""
-OPEN_PORT: Final[Text] = "May stay empty until the port is known; the check of the rig names it."
+OPEN_PORT: Final[Text] = (
+    "May stay empty until the port is known; the check of the rig lists the ports."
+)
 
 
 class BoxCard(QFrame):
@@ -302,8 +304,11 @@ class NewRigPage(QWidget):
         about = prose(
             "new_rig_about",
             "What a new rig is",
-            "Writes rig file, test file and calibration settings for real devices, each key with"
-            " its meaning. Nothing is overwritten, and this window's rig stays as it is.",
+            (
+                "Writes rig file, test file and calibration settings for real devices, with the"
+                " meaning of each key. Nothing is overwritten, and the rig of this window is not"
+                " changed."
+            ),
             role="secondary",
         )
         self.cards = {role: BoxCard(role) for role in ROLES}
@@ -314,13 +319,13 @@ class NewRigPage(QWidget):
             "new_rig_search",
             "S&earch the ports",
             self._search,
-            tip="Asks each USB device who it is. A port behind a USB adapter is listed, not asked.",
+            tip=("Identifies each USB device. A port behind a USB adapter is listed, not queried."),
         )
-        self.searched = prose("new_rig_searched", "What the search has found", role="secondary")
+        self.searched = prose("new_rig_searched", "Result of the search", role="secondary")
         self.folder = edit("new_rig_folder", "Folder of the new rig", self._enable)
         choose = button("new_rig_choose", "C&hoose…", self._choose, "Choose the folder")
         self.make = button("new_rig_make", "&Make the files", self._make, rank="primary")
-        self.outcome = prose("new_rig_told", "What came of it")
+        self.outcome = prose("new_rig_told", "Result")
         self.files = PlainTable(
             "new_rig_files", "Files of the new rig", ("File", "What it is"), stretch=(1,)
         )

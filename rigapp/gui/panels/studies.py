@@ -44,14 +44,18 @@ NO_STUDIES: Final[Text] = (
 LOOK_MS = 2000
 """Between two checks of how far a study is."""
 ALL_DONE: Final[Text] = "{} points, each with a result."
-SOME_FAILED: Final[Text] = "{} of {} points have a result. Why the others have none stands below."
-SOME_WAIT: Final[Text] = "{} of {} points have a result; still to come: {}; without a result: {}."
+SOME_FAILED: Final[Text] = (
+    "{} of {} points have a result. The reasons for the others are listed below."
+)
+SOME_WAIT: Final[Text] = (
+    "{} of {} points have a result; {} are still to be computed; without a result: {}."
+)
 SEEN_TITLE: Final[Text] = (
-    "A wear coefficient other than the model's is seen after so many revolutions by so great a"
-    " share of the tests:"
+    "Number of revolutions after which a wear coefficient other than the model's is"
+    " detected, by share of the tests:"
 )
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
-FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result, or what to know about it")
+FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result, or remarks on it")
 SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests")
 BESIDE_FROM, SUMMARY_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
 TABLE_HEIGHT, STUDY_HEIGHT = 16 * STEP, 90 * STEP
@@ -81,15 +85,15 @@ class StudyRun(QWidget):
             "study_compute",
             "Comp&ute a study…",
             self._choose,
-            tip="Choose a study file; one that was interrupted goes on",
+            tip="Select a study file. An interrupted study continues",
         )
         self.interrupt = button(
             "study_interrupt",
             "Interrupt",
             self.close_run,
-            tip="What is computed stays; the same file goes on with it",
+            tip="Computed points are kept; the same file continues the study",
         )
-        self.progress = ElidedLabel("study_run_told", "How far the study is")
+        self.progress = ElidedLabel("study_run_told", "Progress of the study")
         self.progress.setProperty("role", "caption")
         row(self.compute, self.interrupt, (self.progress, 1), on=self, margins=0, spacing=GAP)
         self._process = QProcess(self)
@@ -172,18 +176,18 @@ class StudiesPanel(QWidget):
         self.summary = ElidedLabel("studies_told", "Studies in the folder")
         self.summary.setProperty("role", "caption")
         self.another = button("studies_open", "Open another stud&y…", self._choose_folder)
-        self.again = button("studies_again", "&Look again", self.look, tip="Read the folders again")
+        self.again = button("studies_again", "Refres&h", self.look, tip="Read the folders again")
         self.run = StudyRun(folder)
         self.run.ended.connect(lambda target: self.open_folder(str(target)))
         self.list = PlainTable(
             "study_list", "List of studies", ("Study", "Computes", "Points", "Changed"), cut=(0,)
         )
         self.list.itemSelectionChanged.connect(self._choose)
-        self.sentence = prose("study_sentence", "What the study came to")
+        self.sentence = prose("study_sentence", "Results of the study")
         self.plot = StudyPlot(theme)
         self.plot.result.currentIndexChanged.connect(self._show_dependence)
         self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS, cut=(0,))
-        self.power = PlainTable("study_power", "After how many revolutions it is seen", SEEN)
+        self.power = PlainTable("study_power", "Number of revolutions until it is detected", SEEN)
         self.failed = PlainTable(
             "study_failed", "Points without a result, and with notes", FAILED, stretch=(1,)
         )
@@ -191,7 +195,9 @@ class StudiesPanel(QWidget):
 
     def _lay_out(self) -> None:
         self.depends_title = prose("study_depends_title", "What the result depends on most")
-        power_title = prose("study_power_title", "What the table of the power says", SEEN_TITLE)
+        power_title = prose(
+            "study_power_title", "What the table of the detection power shows", SEEN_TITLE
+        )
         self._power = page(power_title, (self.power, 1))
         self._depends = page(self.depends_title, (self.depends, 1))
         below = WrappingGrid(TABLE_WIDTH)

@@ -89,7 +89,9 @@ class WearProfilePanel(PlotPanel):
         self._measured = self.plot.curve(MEASURED)
         self._model = self.plot.curve(MODEL)
         self.plot.steady = SteadyRange(2.0)
-        self.title = remark(f"{prefix}_profile_title", "Depths, and what of the bushing was seen")
+        self.title = remark(
+            f"{prefix}_profile_title", ("Depths, and which part of the bushing was reached")
+        )
         column(plot_heading("Worn profile"), self.title, (self.plot, 1), on=self)
         self._start_afresh()
 
@@ -149,7 +151,7 @@ class WearProfilePanel(PlotPanel):
             depth = with_uncertainty(most, UM_PER_MM * profile.uncertainty[index], "µm")
             extent = RECORDED_DEG[seen]
             words = tr(
-                "seen {:.0f}° to {:.0f}°, cycle {}", extent[0], extent[-1], profile.revolution
+                "reached {:.0f}° to {:.0f}°, cycle {}", extent[0], extent[-1], profile.revolution
             )
             measured = Entry(tr("measured {}", depth))
         else:
@@ -222,7 +224,7 @@ class WearPanel(QWidget):
             "No revolution measured yet: the wear depth with its predicted band is drawn here."
         )
         if len(news.data.rows):
-            waiting = tr("What is known of the wear is being computed …")
+            waiting = tr("The wear results are being computed …")
         sentence = self._reader.sentence
         if known.after:
             sentence += tr(" (By cycle {}.)", grouped(known.after))

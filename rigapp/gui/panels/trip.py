@@ -171,7 +171,9 @@ class TripPage(QWidget):
         named(self, "trip_page", "Trip")
         self.title = heading("trip_title", "Trip", VALUE_PT)
         self.sentence = prose("trip_sentence", "What tripped", NO_TRIP)
-        self.table = PlainTable("trip_facts", "Facts of the trip", ("What", "Value"), stretch=(1,))
+        self.table = PlainTable(
+            "trip_facts", "Details of the trip", ("What", "Value"), stretch=(1,)
+        )
         room = NameRoom()
         self.plots = [TripPlot(spec, theme, room) for spec in ROWS]
         current = TripRow("current", "Drive current", "A", 0.5, ())
@@ -266,7 +268,7 @@ def _facts(path: Path, capture: TripCapture) -> list[tuple[str, str]]:
         (tr("Largest force"), peak),
         (tr("Drive off"), off if math.isfinite(capture.happened) else UNKNOWN),
         (tr("Last movement"), tr("{} after the trip, by the device's clock", turned)),
-        (tr("Seen at rest"), tr("{} after the alarm, by the log", rest)),
+        (tr("Confirmed at rest"), tr("{} after the alarm, by the log", rest)),
         (tr("Grey: revolution before it"), before),
     ]
 

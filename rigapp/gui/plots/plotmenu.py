@@ -53,7 +53,7 @@ def open_menu(plot: QuietPlot, at: QPoint) -> None:
     ):
         menu.addAction(tr(text)).triggered.connect(lambda _=False, call=call: call())
     placed = bool(plot.cursors.places)
-    cursors = menu.addAction(tr("Take the cursors away") if placed else tr("Two cursors"))
+    cursors = menu.addAction(tr("Remove the cursors") if placed else tr("Two cursors"))
     cursors.setEnabled(not plot.instead)
     cursors.triggered.connect(lambda _=False: plot.show_cursors(both=not placed))
     back = menu.addAction(tr("Show all again"))

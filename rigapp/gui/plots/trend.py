@@ -121,7 +121,7 @@ class TrendPanel(PlotPanel):
             self.modes = {
                 mode: self._mode_button(prefix, mode, text, spoken)
                 for mode, text, spoken in (
-                    (WHOLE, marked("Who&le test"), marked("Show the whole test")),
+                    (WHOLE, marked("Who&le test"), marked("Show the complete test")),
                     (
                         LAST,
                         tr("Last &{}", grouped(FOLLOWED)),
@@ -229,7 +229,7 @@ class TrendPanel(PlotPanel):
             return f"{tr(NO_REVOLUTION)}: {tr('{} against cycle is drawn here.', title)}"
         if self.quantity.measured:
             return tr("No value yet of {}.", title)
-        return tr("No value yet of {}, which the model beside the test tells.", title)
+        return tr("No value of {} yet; it is computed by the model.", title)
 
     def _offer(self, table: ChannelTable) -> None:
         """List the quantities of a table; the choice stays where it is still there."""

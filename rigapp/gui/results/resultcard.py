@@ -64,7 +64,7 @@ class NumberTile(QWidget):
         self.caption = prose(f"{name}_caption_{number}", "What the number is")
         bold = sized(self.font(), VALUE_PT, QFont.Weight.DemiBold)
         self.value = FittedLabel(f"{name}_value_{number}", "Value", bold)
-        self.line = prose(f"{name}_line_{number}", "What it rests on")
+        self.line = prose(f"{name}_line_{number}", "Basis of the result")
         for label in (self.caption, self.line):
             label.setFont(small)
             label.setProperty("role", "caption")
@@ -84,8 +84,8 @@ class TrustRow(QWidget):
     def __init__(self, name: str, number: int) -> None:
         super().__init__()
         named(self, f"{name}_trust_{number}", "Whether the result can be trusted")
-        self.text = prose(f"{name}_trust_text_{number}", "What was looked at")
-        self.line = prose(f"{name}_trust_line_{number}", "How it stands")
+        self.text = prose(f"{name}_trust_text_{number}", "What was checked")
+        self.line = prose(f"{name}_trust_line_{number}", "State")
         self.sign = signed(SMALL, self.text, self.line, self)
 
     def show_line(self, line: TrustLine, theme: Theme) -> None:
@@ -97,7 +97,7 @@ class TrustRow(QWidget):
             theme.secondary if line.good else theme.warning_text,
         )
         self.sign.setPixmap(sign.pixmap(SMALL))
-        self.sign.setAccessibleName(tr("good") if line.good else tr("mind"))
+        self.sign.setAccessibleName(tr("good") if line.good else tr("attention"))
 
 
 class ResultCard(QFrame):

@@ -35,8 +35,8 @@ WORDS: Final[dict[str, Text]] = {
     "daily": "daily summary",
 }
 """Occasions of messages, in the order of the choices."""
-NOBODY: Final[Text] = "Nobody is told. Add a way: a URL as in mailtos:// or json://."
-COUNTS: Final[Text] = "A new way counts when the engine is started again."
+NOBODY: Final[Text] = "Nobody is notified. Add a recipient: a URL as in mailtos:// or json://."
+COUNTS: Final[Text] = "A new recipient takes effect when the engine is started again."
 TABLE_HEIGHT = 13 * STEP
 
 
@@ -49,30 +49,32 @@ class MessageCard(QWidget):
         super().__init__()
         self._worker, self._rig, self._say = worker, rig, say
         self._ways: tuple[ListedWay, ...] = ()
-        named(self, "message_ways", "Who is told")
+        named(self, "message_ways", "Recipients")
         self.table = PlainTable(
-            "way_table", "Ways to be told", ("Way", "Leads to", "Tells of"), stretch=(2,), cut=(1,)
+            "way_table", "Recipients", ("Recipient", "Leads to", "Reports"), stretch=(2,), cut=(1,)
         )
         self.table.setMinimumHeight(TABLE_HEIGHT)
         self.table.itemSelectionChanged.connect(self._enable)
-        self.message = prose("ways_told", "What became of it", role="caption")
+        self.message = prose("ways_told", "Result", role="caption")
         self.test = button("ways_test", "Send a test &message", self._test)
-        tip: Text = "Remove the chosen way; those of the rig file stand there"
-        self.remove = button("way_remove", "Remove", self._remove, "Remove the chosen way", tip=tip)
-        self.name = edit("way_name", "Name of a new way", self._enable, hint="Name")
-        self.url = edit("way_url", "Where a new way leads", self._enable, hint="URL")
+        tip: Text = "Remove the selected recipient; those of the rig file stay"
+        self.remove = button(
+            "way_remove", "Remove", self._remove, "Remove the selected recipient", tip=tip
+        )
+        self.name = edit("way_name", "Name of a new recipient", self._enable, hint="Name")
+        self.url = edit("way_url", "Address of a new recipient", self._enable, hint="URL")
         self.when = {
             kind: named(QCheckBox(tr(WORDS[kind])), f"way_when_{kind}", WORDS[kind])
             for kind in get_args(When)
         }
         for kind in NotifySection().when:
             self.when[kind].setChecked(True)
-        self.add = button("way_add", "Add", self._add, "Add the way")
+        self.add = button("way_add", "Add", self._add, "Add recipient")
         column(
             (self.table, 1),
             flowing(self.test, self.remove, None),
             self.message,
-            flowing("New way", (self.name, 1), (self.url, 2), self.add),
+            flowing("New recipient", (self.name, 1), (self.url, 2), self.add),
             flowing(*self.when.values()),
             on=self,
             spacing=STEP,

@@ -55,9 +55,9 @@ class LivePageCard(QWidget):
         self.address = edit("page_address", "Address and port of the page", hint=ADDRESS)
         self.address.setText(choices.get(Preference.PAGE))
         self.serve = button("page_serve", "Serve", self._serve, "Serve the page")
-        self.end = button("page_end", "End", self.close_page, "Serve the page no longer")
+        self.end = button("page_end", "End", self.close_page, "Stop serving the page")
         self.open = button("page_open", "Open", self._open, "Open the page in a browser")
-        self.state = prose("page_told", "How the page is", NOT_SERVED, role="caption")
+        self.state = prose("page_told", "State of the page", NOT_SERVED, role="caption")
         fields = flowing("Address", (self.address, 1), self.serve, self.end, self.open)
         column(fields, self.state, on=self, spacing=STEP)
         self._process = QProcess(self)
@@ -109,9 +109,9 @@ class LivePageCard(QWidget):
 
 
 NO_PINS: Final[Text] = (
-    "This rig wants no PIN for limits. To want one, add [operators] with a file to the rig file."
+    "This rig needs no PIN for limits. To require one, add [operators] with a file to the rig file."
 )
-FIRST: Final[Text] = "Nobody has a PIN yet: nobody can change limits of a running test."
+FIRST: Final[Text] = "Nobody has a PIN yet, so limits of a running test cannot be changed."
 HAVE: Final[Text] = "Have a PIN and may change limits: {}."
 
 
@@ -125,7 +125,7 @@ class PinPart(QWidget):
         named(self, "pins", "PINs for limits")
         self.holders = prose("pins_told", "Who has a PIN", role="caption")
         self.pin = edit("pin_new", "New PIN of the operator", self._enable, hint="New PIN")
-        self.by_pin = edit("pin_present", "PIN of somebody who has one", hint="A present PIN")
+        self.by_pin = edit("pin_present", "PIN of an operator who has one", hint="A present PIN")
         for field in (self.pin, self.by_pin):
             field.setEchoMode(QLineEdit.EchoMode.Password)
         self.set = button("pin_set", "Set PIN", self._set, "Set the PIN of the operator")
@@ -179,7 +179,7 @@ THEME_NAMES: Final[tuple[tuple[Text, str], ...]] = (
     ("As the desktop", AS_SYSTEM),
 )
 NAME_CHARACTERS = 60
-LATER: Final[Text] = "Language and folder count when the window is opened again."
+LATER: Final[Text] = "Language and folder take effect when the window is opened again."
 TRAINING: Final[Text] = (
     "A simulated operator does the steps of a calibration, without waiting times."
     " Simulated rig only."
@@ -213,11 +213,11 @@ class SettingsPage(QWidget):
         named(self, "settings_page", "Settings")
         self.messages = MessageCard(host.worker, host.rig, host.say)
         self.live = LivePageCard(self._choices, host.rig)
-        self.later = prose("settings_later", "What counts later", LATER, role="caution")
+        self.later = prose("settings_later", "What takes effect later", LATER, role="caution")
         again: Text = "Open the window a&gain"
         self.again = button("settings_again", again, partial(host.do, Act.AGAIN))
         left = (
-            settings_card("look", "Look", self._look()),
+            settings_card("look", "View", self._look()),
             settings_card("operator", "Operator", *self._operator()),
             settings_card("folder", "Results folder", *self._folder()),
             settings_card("training", "Training", *self._training()),
@@ -256,9 +256,9 @@ class SettingsPage(QWidget):
         self.operator.editingFinished.connect(
             lambda: self._choices.put(Preference.OPERATOR, self.operator.text().strip())
         )
-        why: Text = "Stands in the log at what is done from this window. Empty: the login name."
+        why: Text = "Name in the log for all actions from this window. Empty: the login name."
         yield flowing("N&ame", (self.operator, 1))
-        yield prose("operator_why", "What the name is for", why, role="caption")
+        yield prose("operator_why", "Purpose of the name", why, role="caption")
         yield PinPart(self._host.rig, self._choices)
 
     def _folder(self) -> Iterable[Any]:

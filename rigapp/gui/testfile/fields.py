@@ -98,7 +98,7 @@ def form_fields() -> tuple[FieldSpec, ...]:
 
 
 WANTED: Final[dict[str, Text]] = {
-    "int": "{} must be a whole number, not {}",
+    "int": "{} must be an integer, not {}",
     "float": "{} must be a number, not {}",
     "pair": "{} must be two numbers, not {}",
 }

@@ -87,7 +87,7 @@ class PreflightPanel(QFrame):
         self.title = named(
             QLabel(tr("Before the start")), "preflight_title", "Before the start", role="title"
         )
-        self.count = prose("preflight_count", "How many checks are good", role="caption")
+        self.count = prose("preflight_count", "Number of passed checks", role="caption")
         inside = QWidget()
         self._list = column(None, on=inside, spacing=STEP // 2)
         area = scrolling("preflight_area", "List of checks", inside)
@@ -107,7 +107,7 @@ class PreflightPanel(QFrame):
         numbers = (
             count[kind] for kind in (CheckVerdict.GOOD, CheckVerdict.ATTENTION, CheckVerdict.BLOCKS)
         )
-        return tr("{} good, {} for attention, {} block", *numbers)
+        return tr("{} passed, {} for attention, {} block", *numbers)
 
     def show_checks(self, checks: list[Check]) -> None:
         """Show the checks, what blocks first."""
@@ -278,7 +278,7 @@ class PreparePanel(QWidget):
         self._disk = facts
 
     def _no_disk(self, error: Exception) -> None:
-        self._disk = DiskFacts(self._folder, 0, 0, say("cannot be judged ‹{}›", error))
+        self._disk = DiskFacts(self._folder, 0, 0, say("cannot be evaluated ‹{}›", error))
 
 
 def prepare_page(host: Host) -> QWidget:

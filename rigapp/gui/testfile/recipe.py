@@ -209,8 +209,10 @@ class RecipePanel(QWidget):
             ours = selected if selected is not None and path == selected.path else None
             if ours is not None and path.exists() and ours.on_disk():
                 changed = tr(
-                    "{} was changed by another program since it was opened. Save it as another"
-                    " file, or open it again, which loses what was changed here.",
+                    (
+                        "{} was changed by another program since it was opened. Save it as"
+                        " another file, or open it again and lose the changes made here."
+                    ),
                     path,
                 )
                 self._say(changed, good=False)
@@ -397,7 +399,7 @@ class RecipePanel(QWidget):
         if errors or others:
             count = len(errors) + len(others)
             where = " ".join([*others, *list(errors.values())[: 1 if not others else 0]])
-            more = tr(" ({} mistakes; each stands at its field)", count) if count > 1 else ""
+            more = tr(" ({} mistakes; each is shown at its field)", count) if count > 1 else ""
             self._say(tr("Not usable yet. {}{}", where, more), good=False)
         elif self.selected is None:
             self._say(tr("Usable. Save it to arm it for a start."), good=True)

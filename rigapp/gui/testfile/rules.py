@@ -56,7 +56,7 @@ SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revoluti
 ENDS: Final[Text] = "{note} ends {back} inside"
 """The lines of a limit; the braces are its fields."""
 NUMBER: Final[Text] = "Type a number in place of {}."
-WHOLE_NUMBER: Final[Text] = "Type a whole number in place of {}."
+WHOLE_NUMBER: Final[Text] = "Type an integer in place of {}."
 SIDES: Final[tuple[tuple[Text, str], ...]] = (("above", "above"), ("below", "below"))
 
 NUMBER_WIDTH = 9 * STEP
@@ -86,7 +86,7 @@ class LevelRow(QFrame):
         pair = (level.severity, level.action)
         if pair not in ACTIONS:
             actions.append((OTHER_ACTIONS[pair], pair))
-        self.action = choice(f"{name}_action", tr("What limit {} does", serial), actions)
+        self.action = choice(f"{name}_action", tr("Action of limit {}", serial), actions)
         self.quantity = choice(f"{name}_quantity", tr("Quantity of limit {}", serial), ())
         self.quantity.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -97,9 +97,9 @@ class LevelRow(QFrame):
         self.revolutions = edit(
             f"{name}_revolutions", tr("Revolutions in a row of limit {}", serial)
         )
-        self.back = edit(f"{name}_back", tr("How far inside limit {} its alarm ends", serial))
+        self.back = edit(f"{name}_back", tr("Margin to limit {} at which its alarm ends", serial))
         self.units = [QLabel(), QLabel()]
-        wrong = tr("What is wrong with limit {}, or its usual range", serial)
+        wrong = tr("Error in limit {}, or its usual range", serial)
         self.note = prose(f"{name}_note", wrong, role="caption")
         self.remove = button(f"{name}_remove", "Remove", spoken=tr("Remove limit {}", serial))
         self.remove.setProperty("rank", "quiet")
@@ -243,7 +243,7 @@ class LimitSentences(QGroupBox):
         self.none = prose(
             "no_limits",
             "No limits",
-            "None yet: a limit tells when the joint changes.",
+            "None yet: a limit warns when the joint changes.",
             role="secondary",
         )
         tools = flowing(self.add, self.chip, None, self.discard, self.keep)
@@ -295,7 +295,7 @@ class LimitSentences(QGroupBox):
             never = never_comes(level, self._limits)
             wrong = [*faults_of(rule, self._table), *([never] if never else [])]
         if any((other.quantity, other.bound) == (level.quantity, level.bound) for other in levels):
-            wrong.append(tr("There is such a limit already; change that one."))
+            wrong.append(tr("This limit exists already; change it instead."))
         self.draft.say(wrong)
         self.keep.setEnabled(not wrong)
         self.keep.setToolTip(" ".join(wrong))

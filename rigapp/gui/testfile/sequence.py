@@ -248,7 +248,7 @@ class StepLine(QFrame):
         self.kind = choice(f"{name}_kind", tr("Unit of how long step {} is", serial), KINDS)
         self.name = edit(f"{name}_name", tr("Name of step {}", serial))
         self.name.setPlaceholderText(tr("name"))
-        self.length = edit(f"{name}_length", tr("How long step {} is", serial))
+        self.length = edit(f"{name}_length", tr("Length of step {}", serial))
         self.speed_rpm = edit(f"{name}_speed", tr("Speed of step {}", serial))
         self.rest_s = edit(f"{name}_rest", tr("Rest after step {}", serial))
         self.rest_s.setPlaceholderText("0")

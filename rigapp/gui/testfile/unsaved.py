@@ -29,7 +29,7 @@ class UnsavedBar(Bar):
         self.escape = self.put_away
         self.save = button("unsaved_save", "Save", self._save_first)
         self.discard = button("unsaved_discard", "Discard", self._go_on)
-        self.stay = button("unsaved_stay", "Go on editing", self.put_away)
+        self.stay = button("unsaved_stay", "Continue editing", self.put_away)
         self.lay_out((self.save, self.discard, self.stay))
 
     def ask(self, changes: Sequence[str], what: str, then: Callable[[], None]) -> None:

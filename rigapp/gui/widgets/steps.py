@@ -34,7 +34,7 @@ class StepRow(QWidget):
         named(self, f"{prefix}_step_{number}", "Step")
         self._shown: tuple[ShownStep, str] | None = None
         self.name = ElidedLabel(f"{prefix}_name_{number}", "Step")
-        self.line = ElidedLabel(f"{prefix}_line_{number}", "How it stands")
+        self.line = ElidedLabel(f"{prefix}_line_{number}", "State")
         self.sign = signed(SIGN, self.name, self.line, self)
 
     def show_step(self, step: ShownStep, theme: Theme) -> None:

@@ -318,7 +318,7 @@ class StartBar(QFrame):
             return tr("No test is selected. Choose a test file, or save the new one in Prepare.")
         name = selected.path.name
         if changed:
-            return tr("{} is another one on the disk now: {}", name, listed(changed))
+            return tr("{} is now another file on the disk: {}", name, listed(changed))
         if selected.problem:
             return tr("{} cannot be started: {}.", name, selected.problem)
         if lost:

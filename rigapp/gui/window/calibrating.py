@@ -68,7 +68,7 @@ CHOICES = {
     ),
     "both": Choice(
         "&Both probes",
-        "with a micrometer stage; finds how the probes stand as well",
+        "with a micrometer stage; also finds the angle between the probes",
         "both probes",
         "probes",
         {"which": "both"},
@@ -269,7 +269,7 @@ class CalibrationGuide(QObject):
         """Return the status of a rig that may be calibrated now, else report why not."""
         status = self._connection.status
         if self._connection.is_replay or status is None or status.engine.state in ACTIVE:
-            why: Text = "Calibrating needs a running engine and no test under way."
+            why: Text = "Calibrating needs a running engine and no running test."
             self.reported.emit(tr(why), False)
             return None
         if status.engine.calibration is not None:

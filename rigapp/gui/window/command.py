@@ -17,8 +17,10 @@ _COMMANDING: dict[CommandHolder, tuple[Text, Text, Text]] = {
     CommandHolder.NOBODY: (
         "Nobody has control",
         "Take control",
-        "Every window may operate the rig. With control, only this one does, apart from stopping"
-        " and acknowledging",
+        (
+            "Every window can operate the rig. With control, only this one can; all can stop and"
+            " acknowledge"
+        ),
     ),
     CommandHolder.THIS: (
         "You have control",
@@ -78,11 +80,11 @@ class ViewerBar(Bar):
     wanted = Signal(str, dict)
 
     def __init__(self, theme: Theme) -> None:
-        super().__init__("viewer", "Viewing only", "Why this window only looks")
+        super().__init__("viewer", "Viewing only", "Why this window is read-only")
         self._name = ""
         self._asking = False
         self.confirm = button("viewer_take_over", "", self._take_over, "Take over control")
-        self.cancel = button("viewer_cancel", "Go on viewing", self._cancel)
+        self.cancel = button("viewer_cancel", "Continue viewing", self._cancel)
         self.lay_out((self.confirm, self.cancel))
         self.dress(theme)
 

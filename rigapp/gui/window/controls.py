@@ -80,7 +80,7 @@ BUTTONS = (
         "&Resume",
         "F5",
         frozenset({RunState.PAUSED}),
-        "Go on with the paused test",
+        "Resume the paused test",
         Icon.START,
     ),
     ButtonSpec(
@@ -368,7 +368,7 @@ class ControlRow(QFrame):
     def _stopped_at_rest(self, reply: Reply) -> None:
         """Show that nothing runs only where the engine answers so; show any other refusal."""
         if is_untimely(reply.sentence, Trigger.STOP):
-            self.show_answer("Nothing is running: there is nothing to stop.", good=True)
+            self.show_answer("Nothing is running, so there is nothing to stop.", good=True)
         else:
             self._answered(tr("stop"), reply)
 

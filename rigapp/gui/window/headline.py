@@ -210,7 +210,7 @@ def _force(status: Status, measured: NewestMeasured, replay: bool) -> TileText:
     if measured.nearest is not None and (active or replay):
         return TileText(value, measured.nearest.left, level, measured.nearest.short)
     if active:
-        return TileText(value, "nothing judged yet", level, "not yet")
+        return TileText(value, "not evaluated yet", level, "not yet")
     return TileText(value, "no test running", level, "no test")
 
 

@@ -34,7 +34,7 @@ MARGIN = 64  # px: the scroll bar, and the indent of a list
 
 KEYS: Final[tuple[tuple[Text, Text], ...]] = (
     ("F8", "Go to the line for reasons and notes; Enter adds the note to the log"),
-    ("F7", "Acknowledge the alarm that is told in full; show the alarms where none is seen"),
+    ("F7", "Acknowledge the alarm that is shown in full; show the alarms where none is in view"),
     (RECOVER_KEY, "Do the next step that the message line or the panel Recover names"),
     ("F11", "Try the simulated rig, from the page Start"),
     ("F1", "Help"),

@@ -33,7 +33,7 @@ class NoticeBar(Bar):
         self._last: Status | None = None
         self._silent = self._restart = ""
         self._bad = False
-        self.away = button("notice_away", "Understood", self._put_away, "Put the notice away")
+        self.away = button("notice_away", "Understood", self._put_away, "Close the notice")
         self.end = button(
             "end_calibration",
             "End calibration…",
@@ -52,7 +52,7 @@ class NoticeBar(Bar):
         """Take the newest status; for a replay show that nothing moves."""
         test = status.test or NO_TEST
         if replay:
-            self.say(tr("{}: no rig is connected, nothing moves.", translate(test.title)))
+            self.say(tr("{}: no rig is connected, no spindle turns.", translate(test.title)))
             self.away.hide()
             self.end.hide()
             self.show_when(True)
@@ -122,9 +122,11 @@ def restart_sentence(last: Status) -> str:
         return ""
     test = last.test or NO_TEST
     return tr(
-        "The engine ended while {test} was {state}, and a new one was started. The drive's own"
-        " watchdog stops the spindle. {saved} revolutions are safe in {file}. To go on with it:"
-        " Results (Ctrl+8), Go on with it.",
+        (
+            "The engine ended while {test} was {state}, and a new one was started. The drive's"
+            " own watchdog stops the spindle. {saved} revolutions are saved in {file}. To"
+            " resume: Results (Ctrl+8), Resume test."
+        ),
         test=test.title or tr("a test"),
         state=tr(last.engine.state.value),
         saved=grouped(test.committed),
@@ -144,9 +146,9 @@ class CloseBar(Bar):
         self.stay = button("close_stay", "Stay", self.hide, "Stay in the window")
         keep = button(
             "close_leave",
-            "Close, the test goes on",
+            "Close, the test continues",
             self.leave.emit,
-            "Close the window, the test goes on",
+            "Close the window, the test continues",
         )
         stop = button(
             "close_stop",
@@ -158,12 +160,12 @@ class CloseBar(Bar):
 
     def ask(self) -> None:
         """Show the question with the focus on staying."""
-        self.say("A test is under way. It goes on without this window.")
+        self.say("A test is running. It continues without this window.")
         self.show()
         self.stay.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _stop(self) -> None:
-        self.say("Stopping the test; the window closes when the spindle stands.")
+        self.say("Stopping the test. The window closes when the spindle is at rest.")
         self.stop_first.emit()
 
 
@@ -181,7 +183,7 @@ class EndCalibrationBar(Bar):
             "calibration_release",
             "The pin is free: end it",
             self._end,
-            "Nothing hangs on the pin: end the calibration",
+            "The pin carries no weight: end the calibration",
             guarded=True,
         )
         self.lay_out((self.keep, self.confirm))
@@ -192,7 +194,7 @@ class EndCalibrationBar(Bar):
             return
         self._since = status.engine.calibration.since
         words = calibration_text(status)
-        text: Text = "Calibrating: {}. Look at the pin: take off what hangs on it, keep hands away."
+        text: Text = "Calibrating: {}. Check the pin: remove the weights and keep your hands away."
         self.say(tr(text, words))
         self.show()
         self.keep.setFocus(Qt.FocusReason.OtherFocusReason)

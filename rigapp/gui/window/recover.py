@@ -25,7 +25,7 @@ STEPS: Final[dict[Remedy, Text]] = {
     Remedy.CONNECT: "Connect",
     Remedy.ACKNOWLEDGE: "Acknowledge",
     Remedy.RESET: "Reset",
-    Remedy.RESUME: "Go on",
+    Remedy.RESUME: "Resume",
 }
 """The steps in their order, as the panel names them."""
 
@@ -34,7 +34,7 @@ BUTTONS: Final[dict[str, Text]] = {
     "acknowledge": "Acknowledge all",
     "reset": "Reset",
     "resume": "Resume the test",
-    "resume_file": "Go on with the test",
+    "resume_file": "Resume the test",
     "start": "Start a test…",
 }
 """Text of the button for the request that does the step."""
@@ -170,7 +170,7 @@ class RecoverPanel(QFrame):
             label.setStyleSheet(self._step_style(now=now, left=mark == "○"))
             state: Text = "next" if now else "to do" if mark == "○" else "done"
             label.setAccessibleDescription(tr(state))
-        text: Text = BUTTONS.get(recovery.verb, marked("Waiting for the cause to go"))
+        text: Text = BUTTONS.get(recovery.verb, marked("Waiting until the cause is removed"))
         if recovery.step is Remedy.NONE:
             text = tr("Wait")
         self.button.setText(f"{tr(text)}  {KEY}")

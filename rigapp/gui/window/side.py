@@ -45,7 +45,7 @@ def connection_steps(news: News) -> list[ShownStep]:
     """Return the steps to a rig that is ready, in their order; the first pending one is next."""
     status = news.status
     if status is None:
-        looking = marked("looking for it, or starting it")
+        looking = marked("searching for it, or starting it")
         later = [ShownStep(name, "after the engine") for name in ("Devices", "First samples")]
         return _marked([ShownStep("Engine", looking), *later])
     steps = [ShownStep("Engine", status.rig.name, done=True)]
@@ -60,7 +60,7 @@ def connection_steps(news: News) -> list[ShownStep]:
         steps.append(ShownStep("Devices", "not connected yet" if waits else "making the ports"))
     age = news.data_age_s
     data = age is not None and math.isfinite(age) and not waits
-    steps.append(ShownStep("First samples", "they come" if data else "after the devices", data))
+    steps.append(ShownStep("First samples", "arriving" if data else "after the devices", data))
     return _marked(steps)
 
 
@@ -246,7 +246,7 @@ class MarginBar(QProgressBar):
 
     def __init__(self, name: str, theme: Theme) -> None:
         super().__init__()
-        named(self, name, "Way to the limit")
+        named(self, name, "Distance to the limit")
         self.theme, self.passed, self.level = theme, False, Level.NORMAL
         self.setTextVisible(False)
         self.setMaximum(1000)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.widgets.build import Item, column, filled, row, scrolling
 from rigapp.gui.wizard.scenes import Picture
-from rigapp.gui.wizard.widgets import MeasuredCard, caption, sentence
+from rigapp.gui.wizard.widgets import MeasuredCard, ResidualPlot, caption, sentence
 from rigapp.presentation.tokens import BODY_PT, GAP, STEP, VALUE_PT
 from rigapp.presentation.translation import Text, tr
 
@@ -26,6 +26,8 @@ TWO, FOUR = 64 * STEP, 112 * STEP
 """Least widths of a page on which two and four parts have room beside each other."""
 ABOVE_AND_BELOW = 20 * STEP
 """Height of what must be visible with a picture: the sentence above it, the buttons below."""
+PLOT_HEIGHT = 64 * STEP
+"""Of a page: a lower one has no room for a plot beside its table."""
 LEAST_HEIGHT = 24 * STEP
 """Of a page: a lower one has no room for a picture, whose contents are in its words, too."""
 
@@ -116,5 +118,7 @@ class GuidePage(QWizardPage):
         for picture in self.findChildren(Picture):
             picture.setVisible(not low)
             picture.stay_within(height - ABOVE_AND_BELOW)
+        for plot in self.findChildren(ResidualPlot):
+            plot.make_room(low=height < PLOT_HEIGHT)
         for card in self.findChildren(MeasuredCard):
             card.make_room(low=low)

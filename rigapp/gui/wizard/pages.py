@@ -49,7 +49,7 @@ from rigapp_calibration.taking.signals import Readiness
 LEVEL: Text = (
     "Lay the level on the flat of the crank and turn the crank until the bubble is in the middle."
 )
-TAKEN: Text = "The angle reference has been taken already: begin the readings."
+TAKEN: Text = "The angle reference is already taken: begin the readings."
 TURN: Text = "&Keep this angle; I turn the level end for end"
 AGAIN: Text = "&Forget the first angle"
 
@@ -320,7 +320,7 @@ def probe_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene
 _PROBES: tuple[tuple[Text, str], ...] = (
     ("Probe 1, along the follower", "1"),
     ("Probe 2, across the follower", "2"),
-    ("Both probes, and how they stand to each other", "both"),
+    ("Both probes, and the angle between them", "both"),
 )
 _MEASURING_PLANS: tuple[tuple[Text, str], ...] = (
     ("Routine: once up and down", "routine"),
@@ -335,8 +335,11 @@ MEASURING = Questions(
     stem="probe",
     journals="probes",
     title="Probe and plan",
-    subtitle="A micrometer moves the target in equal steps, up and down; the voltage is read at"
-    " each step. Every reading is saved at once: close at any time and take it up again.",
+    subtitle=(
+        "A micrometer moves the target in equal steps, up and down; the voltage is read"
+        " at each step. Every reading is saved at once: you can close and continue"
+        " later."
+    ),
     defaults=ProbeFile(schema=1, probe=ProbeSection(name="Probe")),
     fields=(
         Field("which", "&Calibrate", partial(choice, items=_PROBES), "1", spoken="Which probe"),
@@ -368,14 +371,17 @@ _ROLLING_PLANS: tuple[tuple[Text, str], ...] = (
 _SPEEDS: Text = "Speeds of the rolls, revolutions per minute"
 _ORDERS = partial(whole_number, low=1, high=32)
 _ORDERS_SPOKEN: Text = "Fourier orders of the map"
-_TEST_HINT: Text = "its mechanism tells the elastic motion, its limits stay"
+_TEST_HINT: Text = "its mechanism gives the elastic motion, its limits stay"
 _TEST = partial(edit, hint=_TEST_HINT)
 ROLLING = Questions(
     stem="run_out",
     journals="run-out",
     title="Rolls",
-    subtitle="The spindle turns slowly with the follower on the pin and an unworn bushing, whose"
-    " probes then see the pin's own run-out. Two speeds tell inertia from run-out.",
+    subtitle=(
+        "The spindle turns slowly with the follower on the pin and an unworn bushing,"
+        " so the probes measure the pin's own run-out. Two speeds separate inertia from"
+        " run-out."
+    ),
     defaults=RunOutFile(schema=1),
     fields=(
         Field("name", "Name of the &pin", edit, "pin", "pin.name"),
@@ -398,7 +404,7 @@ RUN_OUT_PLOT = PlotNames(
 WITH_WEIGHTS = TakingWords(
     stem=WEIGHING.stem,
     live="Signals now",
-    measured="The cell feels",
+    measured="The cell reads",
     unit="N",
     scene=weight_scene,
     reject="Reject the selected reading and repeat its series",
@@ -409,14 +415,14 @@ WITH_WEIGHTS = TakingWords(
 WITH_MICROMETER = TakingWords(
     stem=MEASURING.stem,
     live="Voltages now",
-    measured="The probe stands at",
+    measured="The probe reads",
     unit="µm",
     factor=1e6,
     scene=probe_scene,
     reject="Reject the selected reading, repeat its series",
     reason="Re&ason",
     columns=("Series", "Step", "Position (µm)", "Probe 1 (V)", "Probe 2 (V)", "State"),
-    buttons={StepKind.SET_UP: "The &target stands before the probe"},
+    buttons={StepKind.SET_UP: "The &target is in front of the probe"},
     do="T&urn the micrometer",
     read_off=True,
 )

@@ -110,9 +110,9 @@ class PlanPage(GuidePage):
         stem = asks.stem
         self.subtitle = prose(f"{stem}_subtitle", "What this is", asks.subtitle)
         self.subtitle.setProperty("role", "secondary")
-        self.picture = Picture(f"{stem}_sketch", "What will be done", theme)
+        self.picture = Picture(f"{stem}_sketch", "Next actions", theme)
         self.picture.show_scene(sketch)
-        self.begin = choice(f"{stem}_begin", "Begin or take up", (), self.summarise)
+        self.begin = choice(f"{stem}_begin", "Begin or continue", (), self.summarise)
         spoken, hint = (
             marked("Settings file of the calibration"),
             marked("none: the fields below are enough"),
@@ -122,11 +122,11 @@ class PlanPage(GuidePage):
         self.settings.setText(str(settings) if settings is not None else "")
         choose: Text = "Choose a settings file"
         self.browse = button(f"{stem}_browse", "Bro&wse…", self._browse, choose)
-        self.summary = sentence(f"{stem}_summary", "What this means")
+        self.summary = sentence(f"{stem}_summary", "Meaning")
         spoken = "What is wrong on this page"
         self.problem = sentence(f"{prefix_of(stem)}plan_problem", spoken)
         form = fields_form()
-        field(form, "&Begin or take up", self.begin)
+        field(form, "&Begin or continue", self.begin)
         label = QLabel(tr("&Settings file"))
         label.setBuddy(self.settings)
         form.addRow(label, row((self.settings, 1), self.browse))
@@ -220,7 +220,7 @@ class PlanPage(GuidePage):
         self.begin.addItem(tr(NEW), None)
         for path in sorted(self._folder.glob(f"{self.asks.journals}-*.journal"), reverse=True):
             if not path.with_suffix(".json").exists():
-                self.begin.addItem(tr("Take up {}", path.stem), str(path))
+                self.begin.addItem(tr("Continue {}", path.stem), str(path))
         self._propose()
         self.summarise()
 

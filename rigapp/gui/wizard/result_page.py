@@ -44,7 +44,7 @@ class ChartPlot(QWidget):
         self.dress(theme)
         self.words = sentence("daily_words", "What the control charts say")
         column(
-            caption("Felt / applied force"),
+            caption("Measured / applied force"),
             (taking_what_is_left(self.plot), 1),
             self.words,
             on=self,
@@ -69,7 +69,7 @@ class ChartPlot(QWidget):
             self.plot.removeItem(guide)
         self._guides = []
         levels = [chart.promised]
-        self._level(chart.promised, "what the calibration says")
+        self._level(chart.promised, "by the calibration")
         if chart.expanded is not None:
             for sign in (-1.0, 1.0):
                 levels.append(chart.promised + sign * chart.expanded)
@@ -188,8 +188,10 @@ class CertificatePage(GuidePage):
             self.used.setText(
                 f"{findings}\n" * bool(findings)
                 + tr(
-                    "Write the name of this record into {}? Comments and all else stay, and a copy"
-                    " of the file as it is now is kept beside it.",
+                    (
+                        "Write the name of this record into {}? Comments and everything else"
+                        " stay, and a copy of the present file is kept beside it."
+                    ),
                     file,
                 )
             )

@@ -102,8 +102,8 @@ class RollingPage(GuidePage):
         super().__init__("Slow rolls")
         self._live = live
         why: Text = (
-            "Each roll is a test with all guards, and a file of its own. You can close the"
-            " wizard: the roll under way goes on to its end, and the map can be taken up again."
+            "Each roll is a test with all limits active and its own file. You can close the"
+            " wizard: the roll continues to its end, and the map can be continued later."
         )
         self.why = prose("roll_why", "What a roll is", why)
         self.why.setProperty("role", "secondary")
@@ -111,12 +111,12 @@ class RollingPage(GuidePage):
         self.picture = Picture("roll_picture", "What it looks like", theme)
         self.measured = MeasuredCard("roll", "Revolutions turned", theme)
         self.measured.stability.hide()
-        self.words = sentence("roll_words", "How far it is")
+        self.words = sentence("roll_words", "Progress")
         self.progress = named(QProgressBar(), "roll_progress", "Progress of the rolls")
         self.progress.setTextVisible(False)
         self.roll = button("roll", "&Turn the spindle", live.roll, rank="primary")
         self.stop = button("roll_stop", "&Stop the spindle", live.stop)
-        self.problem = sentence("roll_problem", "What stands against it")
+        self.problem = sentence("roll_problem", "What prevents it")
         how = (self.measured, self.words, self.progress)
         now = filled(QVBoxLayout(), (*how, None, self.problem))
         now.setSpacing(GAP)
@@ -177,7 +177,7 @@ class RollingPage(GuidePage):
 
 RECORD: Text = "&Record"
 LEAVE_OUT: Text = "Lea&ve the creep out"
-LOADED: Text = "The &load hangs still"
+LOADED: Text = "The &load is still"
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,16 +227,16 @@ class TakingPage(GuidePage):
         self.live.setProperty("role", "caption")
         self.record = button(f"{prefix}record", RECORD, self._record, rank="primary")
         self.leave_out = button(f"{prefix}leave_out", LEAVE_OUT, self._leave_out)
-        self.problem = sentence(f"{prefix}reading_problem", "What stands against it")
+        self.problem = sentence(f"{prefix}reading_problem", "What prevents it")
         self.table = _readings_table(f"{prefix}readings_table", words.columns)
         spoken, hint = (marked("Reason or note"), marked("reason, or a note for the record"))
         self.reason = edit(f"{prefix}reject_reason", spoken, self._enable, hint=hint)
         fit_hint(self.reason)
         text: Text = "Re&ject and repeat its series"
         self.reject_button = button(f"{prefix}reject", text, self._reject, words.reject)
-        again: Text = "Take the newest reading again; the others of its series stand"
+        again: Text = "Repeat the newest reading; the others of its series are kept"
         self.back = button(f"{prefix}back", "One step &back", self._back, again)
-        noting: Text = "Keep the words beside the readings; the certificate has them"
+        noting: Text = "Save the text with the readings; the certificate shows it"
         self.note = button(f"{prefix}note", "&Note", self._note, noting)
         position: Text = "Position that the micrometer shows"
         self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
@@ -363,7 +363,7 @@ class TakingPage(GuidePage):
         taken, last = procedure.taken, len(self._words.columns) - 1
         self.table.setRowCount(len(taken))
         for index, reading in enumerate(taken):
-            state = tr("rejected: {}", reading.rejected) if reading.rejected else tr("stands")
+            state = tr("rejected: {}", reading.rejected) if reading.rejected else tr("valid")
             known = self.table.item(index, last)
             if known is not None and known.text() == state and index != len(taken) - 1:
                 continue

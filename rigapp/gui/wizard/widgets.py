@@ -202,7 +202,7 @@ class MeasuredCard(QFrame):
         self.caption = caption(title)
         large = sized(self.font(), LARGE_PT, QFont.Weight.DemiBold)
         self.value = FittedLabel(f"{name}_measured_value", title, large)
-        self.wanted = sentence(f"{name}_measured_wanted", "What it should be")
+        self.wanted = sentence(f"{name}_measured_wanted", "Expected value")
         self.wanted.setWordWrap(False)  # a line that wraps may be squeezed
         self.stability = Stability(theme)
         numbers = column(self.caption, self.value, self.wanted)
@@ -256,8 +256,13 @@ class ResidualPlot(QWidget):
             self.plot.addItem(item)
         self.dress(theme)
         self.words = sentence(f"{names.stem}_words", "Residuals in words")
-        title, plot = caption(f"{tr(names.left)} ({names.unit})"), taking_what_is_left(self.plot)
-        column(title, (plot, 1), self.words, on=self)
+        self.title = caption(f"{tr(names.left)} ({names.unit})")
+        column(self.title, (taking_what_is_left(self.plot), 1), self.words, on=self)
+
+    def make_room(self, *, low: bool) -> None:
+        """Leave the room to the table on a low page; the words say the largest residual."""
+        for shown in (self.title, self.plot):
+            shown.setHidden(low)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""

@@ -42,7 +42,9 @@ class StepsColumn(QFrame):
         what.setText(title)
         what.setProperty("role", "title")
         self.rows = [StepRow("wizard", number) for number in range(count)]
-        kept: Text = "Every reading is saved as it is taken. You may close and go on tomorrow."
+        kept: Text = (
+            "Every reading is saved when it is taken. You can close now and continue tomorrow."
+        )
         note = prose("wizard_kept", "What is kept", kept)
         note.setProperty("role", "caption")
         layout = column(what, *self.rows, None, note, on=self)

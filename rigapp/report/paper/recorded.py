@@ -28,7 +28,7 @@ def recorded_chapters(path: Path) -> Iterator[Chapter]:
         drawn = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
     chapters = [chapter for chapter in drawn if chapter is not None]
     if not chapters:
-        raise UnusableInput("{}: it holds no whole revolution; give a test with data.", path)
+        raise UnusableInput("{}: it holds no complete revolution; give a test with data.", path)
     yield from chapters
 
 

@@ -280,7 +280,7 @@ def _data_lines(
         (tr("Uncertainty of a force"), uncertainty.words if uncertainty is not None else stated),
         (tr("Gaps"), gaps),
         (tr("Revolutions without a quality flag"), good),
-        (tr("Whole cycles saved"), grouped(summary["cycles_saved"])),
+        (tr("Complete cycles saved"), grouped(summary["cycles_saved"])),
     ]  # fmt: skip
 
 

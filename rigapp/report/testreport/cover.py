@@ -77,7 +77,9 @@ def _logo(settings: Path, name: str) -> bytes:
         return b""
     if Path(name).name != name:
         raise UnusableInput(
-            "{}: laboratory.logo = {} is no file beside it; name one there.", settings, repr(name)
+            "{}: laboratory.logo = {}: there is no such file beside it; name a file there.",
+            settings,
+            repr(name),
         )
     try:
         data = read_bytes(settings.parent / name, LARGEST_LOGO_BYTES)
@@ -438,7 +440,9 @@ def step_section(reader: TestReader) -> list[Section]:
                 ),
             )
         )
-    judged = tr("Judged are revolutions at a steady speed, between the ramps and without a pause.")
+    judged = tr(
+        "Evaluated are revolutions at a steady speed, between the ramps and without a pause."
+    )
     return [Section(tr("Steps"), (Table("", tuple(table), tuple(map(tr, HEADER))), Text(judged)))]
 
 

@@ -233,7 +233,7 @@ def trip(capture: TripCapture | None, reason: str) -> list[Section]:
     if capture.turned_s > 0.0:
         text += tr(" The crank turned for {:.2f} s more, by the device's clock.", capture.turned_s)
     if math.isfinite(capture.stood_s):
-        text += tr(" It was seen at rest {:.2f} s after the alarm.", capture.stood_s)
+        text += tr(" It was at rest {:.2f} s after the alarm.", capture.stood_s)
     return [Section(tr("Trip"), (Text(text, strong=True), plots.trip(capture)))]
 
 
@@ -259,7 +259,7 @@ def cycles(
         free = batched(pictures[0].free)
         blocks += [plots.free_cycles(pictures, some) for some in free]
     else:
-        blocks.append(Text(tr("No whole cycle is saved.")))
+        blocks.append(Text(tr("No complete cycle is saved.")))
     blocks += _bursts(bursts)
     if unfinished:
         numbers = ", ".join(grouped(cycle) for cycle in unfinished)
@@ -279,7 +279,7 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
         for burst in bursts[:BURSTS_SHOWN]
     )  # fmt: skip
     header = (tr("trigger in revolution"), tr("kept from"), tr("to"), tr("cycles"), tr("quality"))
-    title = tr("Whole cycles kept around alarms, limits and notes")
+    title = tr("Cycles stored around alarms, limits and notes")
     blocks: list[Block] = [Table(title, table, header)]
     if len(bursts) > BURSTS_SHOWN:
         left = counted(len(bursts) - BURSTS_SHOWN, tr("more trigger"))
@@ -335,9 +335,7 @@ def quality(rows: Rows | None) -> Section:
         (tr(FLAGS[flag]), grouped(value)) for flag, value in rows.flags.items() if value
     ]
     if rows.unknown_flags:
-        counted_flags.append(
-            (tr("flags that this version does not know"), grouped(rows.unknown_flags))
-        )
+        counted_flags.append((tr("flags unknown to this version"), grouped(rows.unknown_flags)))
     table = Table(
         "",
         ((tr("no flag, good"), grouped(rows.good)), *counted_flags),

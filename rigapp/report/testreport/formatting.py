@@ -40,13 +40,13 @@ SHORTER: Final[dict[str, Text]] = {
 
 FLAGS: Final[dict[Flag, Text]] = {
     Flag.LOST_SAMPLES: "samples lost in or just before the revolution",
-    Flag.COUNT_MISMATCH: "encoder count at the index differs from a whole turn",
+    Flag.COUNT_MISMATCH: "encoder count at the index is not a multiple of one turn",
     Flag.MISSED_INDEX: "no index pulse",
     Flag.SATURATED: "an input at the end of its range",
     Flag.GAP_BEFORE: "data missing before the revolution",
     Flag.REVERSED: "the crank turned backwards",
-    Flag.PARTIAL: "the revolution is not whole",
-    Flag.TIME_JUMP: "device time and host time parted",
+    Flag.PARTIAL: "the revolution is incomplete",
+    Flag.TIME_JUMP: "device time and host time drifted apart",
     Flag.PAUSED: "a pause in the revolution",
     Flag.RAMP: "the speed was being changed",
     Flag.SENSOR_FAULT: "a sensor or its cable was broken",

@@ -130,9 +130,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         after = until if after is None else min(after, until)
     try:
         if until == 0:
-            raise NotIdentifiable(
-                say("its measured wear depth is not to be trusted; see the alarms")
-            )
+            raise NotIdentifiable(say("its measured wear depth is not reliable; see the alarms"))
         kept, before = kept_of(reader)
         record = kept.sought.record
         moments = _moments(reader, kept.bins.closed, after, before)
@@ -148,7 +146,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         known = known_at(len(moments) - 1)
     except NotIdentifiable as error:
         reason = as_written(sentence_of_error(error)).rstrip(".")
-        refusal = say("The wear coefficient cannot be told, because {}.", reason)
+        refusal = say("The wear coefficient cannot be determined, because {}.", reason)
         return IdentifiedTest(**plain, record=record, said=refusal)
     depth, departure = kept.sought.depth, kept.consistency.departure
     if departure is not None and after is not None and departure.revolution > after + before:
@@ -162,7 +160,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
     if len(bands) > 1:
         words += beyond_band(bands[0], kept.bins.closed[: len(moments)], before)
     if until is not None:
-        words += say(" After revolution {} the measured wear depth is not to be trusted.", until)
+        words += say(" After revolution {} the measured wear depth is not reliable.", until)
     if before:
         words += say(" Revolutions are counted from the new bushing, {} before this test.", before)
     return IdentifiedTest(
@@ -275,8 +273,7 @@ def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> st
     return say(
         " {:.1f} µm are measured at revolution {:.0f}; after revolution {} "
         "{:.1f} µm were predicted there, {:.1f} to {:.1f} µm with 95 %. The "
-        "joint wears otherwise than the model and its first readings let "
-        "expect.",
+        "wear differs from the model and its first readings.",
         depth,
         middle - before,
         early.after - before,

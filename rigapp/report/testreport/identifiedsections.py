@@ -89,7 +89,7 @@ def narrowing_figure(test: IdentifiedTest) -> Figure:
             low[-1],
             high[-1],
         )
-        caption = tr("What the readings until then tell: median and 95 % credible limits.")
+        caption = tr("Estimate from the readings until then: median and 95 % credible limits.")
         return saved(canvas, tr("Wear coefficient against revolution"), words, caption)
 
 
@@ -156,7 +156,7 @@ def remaining_text(test: IdentifiedTest) -> str:
     """Return how long the test goes on until the depth of its end, in words."""
     left = test.left
     if left is None:
-        return tr("not asked for: the test has no stop.wear_depth_um")
+        return tr("not requested: the test has no stop.wear_depth_um")
     if left.revolutions is None:
         return left.reason or UNKNOWN
     ends = left.revolutions
@@ -207,7 +207,7 @@ def known_blocks(test: IdentifiedTest) -> tuple[Block, ...]:
     return (
         Text(test.said),
         Table("", rows),
-        Table(tr("What may be true of the coefficient, {}", COEFFICIENT_UNIT), statements, header),
+        Table(tr("Possible range of the coefficient, {}", COEFFICIENT_UNIT), statements, header),
         depth_figure(test, known),
         *([narrowing_figure(test)] if test.course["revolution"].size else []),
     )

@@ -139,7 +139,7 @@ def promised(test: IdentifiedTest) -> dict[str, Any]:
     rest: dict[str, Any] | None = None
     why = ""
     if left is None:
-        why = say("The test has no stop.wear_depth_um, so nothing says when it ends.")
+        why = say("The test has no stop.wear_depth_um, so its end is not known.")
     elif left.revolutions is None:
         why = left.reason
     else:
@@ -161,7 +161,7 @@ def promised_of_all(
         return {key: tests[0][key] for key in PROMISED}
     each = say("It belongs to one test: see the list of tests.")
     if identified.pairing is None:
-        why = identified.why_not or say("Nothing is known of any of the tests.")
+        why = identified.why_not or say("No data for any of the tests.")
         return _promised(None, None, why, each)
     return _promised(_estimate(identified.pairing.coefficient, PER_UNIT), None, "", each)
 

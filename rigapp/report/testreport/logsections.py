@@ -175,7 +175,7 @@ def sections(
     refused = reader.state("events_refused")
     course = [_course(events)]
     if refused:
-        text = tr("The log was full: {} could not be kept.", counted(refused, "event"))
+        text = tr("The log was full: {} were not recorded.", counted(refused, "event"))
         course.insert(0, Text(text, strong=True))
     return [
         Section(tr("Gaps"), _gaps(events, rows)),
@@ -224,7 +224,7 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
 
 def _limits(reader: TestReader, limits: Sequence[Limit]) -> list[Block]:
     if not limits:
-        return [Text(tr("The file does not tell the limits of the test."))]
+        return [Text(tr("The file does not state the limits of the test."))]
     table = tuple(_limit_row(reader, limit) for limit in limits)
     header = (
         tr("limit"),
@@ -297,7 +297,7 @@ def _alarm_row(alarm: AlarmRecord) -> tuple[str, ...]:
 def _changes(events: Sequence[Event]) -> tuple[Block, ...]:
     changes = [event for event in events if event.kind in CHANGES]
     if not changes:
-        return (Text(tr("No notes were written and nothing was changed during the test.")),)
+        return (Text(tr("No notes were written and no settings changed during the test.")),)
     header = (
         tr("time, UTC"),
         tr("revolution"),

@@ -320,7 +320,7 @@ def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | Non
     if uncertainty is not None:
         caption += f" {BAND_WORDS}"
     which = {1: tr("the only one"), 2: tr("first and last"), 3: tr("first, middle and last")}
-    title = tr("Whole cycles, {}", which[len(pictures)])
+    title = tr("Complete cycles, {}", which[len(pictures)])
     return _cycle_grid(pictures, rows, heights, title, _cycle_words(pictures), caption)
 
 
@@ -340,7 +340,7 @@ def free_cycles(pictures: Sequence[CyclePicture], channels: Sequence[Channel]) -
         )
         for channel in channels
     ]
-    title = tr("Whole cycles of {}", ", ".join(channel.name for channel in channels))
+    title = tr("Complete cycles of {}", ", ".join(channel.name for channel in channels))
     words = " ".join(
         f"Revolution {picture.revolution}: {title_of(channel)} between "
         f"{number(float(picture.columns[channel.name].min()), channel.unit)} and "

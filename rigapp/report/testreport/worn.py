@@ -155,12 +155,14 @@ def _cells(worn: Worn, name: str) -> tuple[str, ...]:
 
 def _sentence(worn: Worn) -> str:
     text = tr(
-        "Measured from the pin's places over {} {}: the envelope of the pin's "
-        "circle, against the same bushing when it was new. The uncertainty (k "
-        "= 2) holds noise, wear before the reference and elastic indentation, "
-        "not that of the probes' calibration. Angles that the pin never "
-        "reached are unknown and not drawn. Depth, area and mass cover what "
-        "was reached. 0° is the initial contact point, in the follower's frame.",
+        (
+            "Measured from the pin's positions over {} {}: the envelope of the pin's circle,"
+            " against the same bushing when it was new. The uncertainty (k = 2) holds noise,"
+            " wear before the reference and elastic indentation, not that of the probes'"
+            " calibration. Angles that the pin never reached are unknown and not drawn. Depth,"
+            " area and mass cover what was reached. 0° is the initial contact point, in the"
+            " follower's frame."
+        ),
         worn.averaged,
         tr("revolution" if worn.averaged == 1 else "revolutions"),
     )
@@ -172,8 +174,8 @@ def _sentence(worn: Worn) -> str:
         text += tr(" By the model the elastic approach has changed by {} µm; {}.", change, took)
     if not worn.centred and np.isfinite(worn.run_out):
         text += tr(
-            " The probes' zero is not at the bushing's centre, so that the "
-            "direction comes from the forces: the flanks are less certain."
+            " The zero of the probes is not at the bushing's centre, so the direction comes"
+            " from the forces: the flanks are less certain."
         )
     return text
 

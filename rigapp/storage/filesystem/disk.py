@@ -116,7 +116,7 @@ class Disk:
 
     def _failed(self, doing: str, error: OSError) -> StorageFailed:
         self._failure = say(
-            "{}: {} failed ({}); what was committed before is safe, check the disk before resuming",
+            "{}: {} failed ({}); data committed before are safe. Check the disk before resuming",
             self.path,
             doing,
             error.strerror,

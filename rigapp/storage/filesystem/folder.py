@@ -23,8 +23,10 @@ def refuse_little_space(folder: Path, path: Path, needed: int, who: str = say("t
     missing = needed + SPACE_MARGIN - free
     if missing > 0:
         raise UnusableInput(
-            "{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing, free"
-            " them or keep fewer whole cycles",
+            (
+                "{}: {} needs {:.0f} MB, {} has {:.0f} MB free; {:.1f} MB are missing. Free"
+                " space or store fewer cycles"
+            ),
             path,
             who,
             (needed + SPACE_MARGIN) / MEGABYTE,

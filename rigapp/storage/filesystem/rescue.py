@@ -127,8 +127,10 @@ class PathWatcher:
         disk = self._disk
         if os.fstat(disk.fd).st_size < self._length:
             raise StorageFailed(
-                "{}: another program has cut the file short while the test writes it;"
-                " keep a copy of what is left of it, and see what rigapp info says of it",
+                (
+                    "{}: another program truncated the file while the test writes it; keep a"
+                    " copy of the rest, and check it with rigapp info"
+                ),
                 disk.path,
             )
         fate = path_state(disk.fd, disk.path)
@@ -148,7 +150,7 @@ class PathWatcher:
             except OSError as error:
                 reasons.append(say("{}: {}", target, error.strerror or error))
             else:
-                how = say("is its name now") if linked else say("has all of it and is written on")
+                how = say("is its new name") if linked else say("has all of it and is written on")
                 return PathReport(say("{}; {} {}.", what, target, how), saved=True)
         return PathReport(
             say("{}, and it could not be saved: {}", what, joined("; ", reasons)), saved=False

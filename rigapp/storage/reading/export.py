@@ -110,7 +110,7 @@ def export_test(
     _refuse_target(goal)
     if points is not None and not (cycles and points >= FEWEST_POINTS):
         raise UnusableInput(
-            "--points {}: give {} or more, for whole cycles (--cycles)", points, FEWEST_POINTS
+            "--points {}: give {} or more, for complete cycles (--cycles)", points, FEWEST_POINTS
         )
     with open_test(path) as reader:
         pieces, total = _cycle_pieces(reader, points) if cycles else _row_pieces(reader)

@@ -324,7 +324,7 @@ class TestReader(StreamReader):
             if complete
             else say("{} revolutions are", revolutions)
         )
-        following = say("ends the test with them") if complete else say("goes on after them")
+        following = say("ends the test with them") if complete else say("continues after them")
         return (
             "interrupted",
             say(

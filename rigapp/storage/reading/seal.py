@@ -33,7 +33,7 @@ PART_NAMES = {
     "configuration": say("the configuration"),
     "ending": say("how the test ended"),
     "revolutions": say("the revolutions"),
-    "cycles": say("the whole cycles"),
+    "cycles": say("the complete cycles"),
     "unfinished": say("the unfinished revolutions"),
     "prediction": say("the prediction"),
     "curves": say("the predicted curves"),
@@ -199,7 +199,7 @@ def broken_seals(reader: TestReader) -> Iterator[str]:
             say("Seal {}: {}", where, difference) for difference in _differences(reader, seal, now)
         )
     if reader.compressed and not stored:
-        yield say("The seal that was in the file is not there any more.")
+        yield say("The seal in the file is missing.")
 
 
 def _differences(reader: TestReader, seal: Seal, now: dict[str, Part]) -> Iterator[str]:

@@ -109,7 +109,7 @@ class StreamReader:
         rows = int(self._read(layout.path(layout.counter)))
         with telling_damage(self.path, layout.path(layout.counter)):
             if rows < 0:
-                raise ValueError(say("rows {} to {} are wanted and there are fewer", 0, rows))
+                raise ValueError(say("rows {} to {} are requested and there are fewer", 0, rows))
         with contextlib.suppress(UnusableInput):  # this entry may itself be damaged
             if self.stored_status() != "running":  # no more come
                 self._known[stream] = rows
@@ -259,7 +259,7 @@ class StreamReader:
             rows = np.asarray(dataset[first:end])
             if len(rows) != max(0, end - first):
                 raise ValueError(
-                    say("rows {} to {} are wanted and there are {}", first, end, len(rows))
+                    say("rows {} to {} are requested and there are {}", first, end, len(rows))
                 )
         return rows
 
@@ -268,7 +268,7 @@ class StreamReader:
         row_bytes = dtype.itemsize * math.prod(shape[1:])
         offset = dataset.id.get_offset()
         if offset is None or end * row_bytes > _room_of(dataset):
-            raise ValueError(say("rows {} to {} are wanted and there are fewer", first, end))
+            raise ValueError(say("rows {} to {} are requested and there are fewer", first, end))
         handle = self._file.id.get_vfd_handle()
         data = FILES.read_at(handle, shape[0] * row_bytes, offset + first * row_bytes)
         return np.frombuffer(data, dtype).reshape(shape)

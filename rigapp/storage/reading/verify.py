@@ -51,7 +51,7 @@ def found_damage(reader: TestReader, newest_bytes: int | None = None) -> Iterato
             yield sentence_of_error(error)
         else:
             if not same:
-                yield say("The configuration is not as it was when the test began.")
+                yield say("The configuration has changed since the test began.")
     for name in ("revolutions", "cycles", "unfinished", "prediction", "curves", "profiles"):
         if not (reader.has(name) and reader.has_checksum(name)):
             continue
@@ -78,7 +78,7 @@ def found_damage(reader: TestReader, newest_bytes: int | None = None) -> Iterato
 
 _NAMES = {
     "revolutions": say("the revolutions"),
-    "cycles": say("the whole cycles"),
+    "cycles": say("the complete cycles"),
     "unfinished": say("the unfinished revolutions"),
     "prediction": say("the prediction"),
     "curves": say("the predicted curves"),

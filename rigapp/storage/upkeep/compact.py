@@ -97,7 +97,7 @@ def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
             raise UnusableInput("{}: the test is running; wait for its end", reader.path)
         if damage := next(found_damage(reader), ""):
             raise UnusableInput(
-                "{}: the file is damaged ‹{}›; salvage what is sound: rigapp salvage FILE --to"
+                "{}: the file is damaged ‹{}›; recover the intact data: rigapp salvage FILE --to"
                 " NEW.h5",
                 reader.path,
                 damage,
@@ -139,7 +139,7 @@ def _verified_copy(reader: TestReader) -> tuple[Path, Seal]:
     # The new checksums of the copy would hide damage for good.
     if damage := next(found_damage(reader), ""):
         raise StorageFailed(
-            "{}: the file is damaged and stays as it is ‹{}›; salvage what is sound:"
+            "{}: the file is damaged and is not changed ‹{}›; recover the intact data:"
             " rigapp salvage FILE --to NEW.h5",
             target,
             damage,

@@ -159,8 +159,8 @@ def _writer_at_end(
             damage = list(found_damage(reader, NEWEST_BYTES))
             if damage:
                 raise UnusableInput(
-                    "{}: the file is damaged ‹{}›; salvage what is sound with rigapp salvage FILE"
-                    " --to NEW.h5, and begin a new test",
+                    "{}: the file is damaged ‹{}›; recover the intact data with rigapp salvage"
+                    " FILE --to NEW.h5, and begin a new test",
                     path,
                     damage[0],
                 )
@@ -226,7 +226,7 @@ def let_go(fd: int) -> None:
 def _written_elsewhere(path: Path) -> UnusableInput:
     return UnusableInput(
         say(
-            "{}: another process is writing this test; stop it there before going on with it here",
+            "{}: another process is writing this test; stop it there before resuming it here",
             path,
         )
     )

@@ -75,15 +75,16 @@ def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Sa
             reader = undo.enter_context(open_test(full))
         except UnusableInput as error:
             raise UnusableInput(
-                "{}: its structure is damaged and nothing in it can be found ‹{}›; take another"
-                " copy",
+                "{}: its structure is damaged and no data can be found ‹{}›; take another copy",
                 source,
                 error,
             ) from error
         if not (reader.plan.checksums or reader.compressed):
             raise UnusableInput(
-                "{}: this file is of an older version, which kept nothing by which its rows could"
-                " be proved; take another copy",
+                (
+                    "{}: this file is of an older version without check values of its rows; take"
+                    " another copy"
+                ),
                 source,
             )
         streams = streams_of(reader.plan)

@@ -54,8 +54,10 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
         raise UnusableInput("{}: {}", folder, wrong)
     if os.path.lexists(path):
         raise UnusableInput(
-            "{}: the file exists and is not overwritten; give another name, or use"
-            " resume to go on with it",
+            (
+                "{}: the file exists and is not overwritten; give another name, or use resume to"
+                " continue it"
+            ),
             path,
         )
     if not folder.is_dir():
@@ -70,9 +72,10 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
     length = declared_bytes(streams) + STRUCTURE_BYTES
     if limit is not None and length > limit:
         raise UnusableInput(
-            "{}: the test needs a file of {:.0f} MB, but this system allows files of"
-            " {:.0f} MB; {:.1f} MB are missing, keep fewer whole cycles or raise the"
-            " limit (ulimit -f)",
+            (
+                "{}: the test needs a file of {:.0f} MB, but this system allows files of {:.0f}"
+                " MB; {:.1f} MB are missing. Store fewer cycles or raise the limit (ulimit -f)"
+            ),
             path,
             length / MEGABYTE,
             limit / MEGABYTE,
@@ -229,8 +232,10 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
             for _, row, offset, mark in group:
                 if np.asarray(dataset[row]).tobytes() != mark:
                     raise StorageFailed(
-                        "{}: {} row {} is not where HDF5 says ({}); no test can be stored"
-                        " with this HDF5 library, run rigapp doctor",
+                        (
+                            "{}: {} row {} is not where HDF5 reports it ({}); no test can be"
+                            " stored with this HDF5 library, run rigapp doctor"
+                        ),
                         disk.path,
                         path,
                         row,
@@ -260,8 +265,10 @@ def _space_errors(path: Path) -> Iterator[None]:
     except OSError as error:
         if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
             raise UnusableInput(
-                "{}: the disk refused to reserve the room for the test ({}); free some"
-                " space or keep fewer whole cycles",
+                (
+                    "{}: the disk refused to reserve space for the test ({}); free some space or"
+                    " store fewer cycles"
+                ),
                 path,
                 error.strerror,
             ) from error

@@ -237,7 +237,7 @@ class RecordPlacer:
             if data.nbytes > rows * row_bytes or (data.nbytes < rows * row_bytes and not over):
                 raise ValueError(
                     say(
-                        "{}: got {}, wanted {} values",
+                        "{}: {} values given, {} expected",
                         self._stream.path(column.name),
                         data.shape,
                         (rows, *column.shape),

@@ -258,7 +258,7 @@ class TestWriter:
         self._append_event(
             Event(
                 time.time(), self._rows.count, "extended", "storage",
-                say("the test shall have {} revolutions", revolutions),
+                say("the test will have {} revolutions", revolutions),
                 str(before), str(revolutions),
             ),
             0,

@@ -187,7 +187,7 @@ FOREIGN = {
     0x6079: ("", ""),
     0x607F: ("", "rigapp alone keeps it"),
     0x6080: ("", ""),
-    0x6083: ("", "a ramp of its own, whatever the test file says; set that in the drive"),
+    0x6083: ("", "a ramp of its own, whatever the test file says; change the ramp in the drive"),
     0x6084: ("", "‹no object 6084›"),
     0x6085: ("", ""),
     0x6086: ("", ""),
@@ -201,11 +201,11 @@ FOREIGN = {
     0x1802: ("", ""),
     0x1A03: ("", ""),
     0x60A9: ("give velocity_step_rpm from its manual", ""),
-    0x1016: ("nothing for the watch over this computer ‹object 1016:1›", ""),
-    0x1017: ("nothing for its sign of life", ""),
+    0x1016: ("it lacks the monitor of this computer ‹object 1016:1›", ""),
+    0x1017: ("nothing for its heartbeat", ""),
     0x6040: ("nothing for commands", ""),
     0x6041: ("nothing for its state", ""),
-    0x6060: ("nothing for its mode", ""),
+    0x6060: ("it lacks its mode", ""),
     0x6064: ("nothing for its position", ""),
     0x606C: ("nothing for its speed", ""),
     0x60FF: ("nothing for the speed to turn at", ""),
@@ -329,7 +329,7 @@ def test_milli_rpm_makes_slow_speeds_exact_and_whole_rpm_are_told_at_the_set_up(
     rig = drive_rig()
     drive = connect(rig)
     told = drive.configure(request_for())
-    assert "whole steps of 1 rpm of the crank, so that one below 50 rpm" in told["advice"]
+    assert "in steps of 1 rpm of the crank, so a speed below 50 rpm" in told["advice"]
     drive.set_speed(0.5083, 1000.0)
     assert not drive.status().warnings
     drive.close()
@@ -347,7 +347,7 @@ def test_an_unknown_velocity_unit_is_refused(drive_rig: Any, request_for: Any) -
     rig.simulator.node.objects.entries[0x60A9, 0].read = lambda: 0x0041_0300
     drive = Cia402Drive("drive", rig.port, QUICK)
     drive.open()
-    with pytest.raises(SettingRefused, match=r"in which unit.*‹object 60A9 is 00410300"):
+    with pytest.raises(SettingRefused, match=r"the unit of its speed.*‹object 60A9 is 00410300"):
         drive.configure(request_for())
     with pytest.raises(SettingRefused, match="configure"):
         drive.set_speed(1.0, 1.0)
@@ -755,7 +755,7 @@ def test_an_emergency_that_came_and_went_is_told_once(
         rig.wire.send(encode_frame(_frame(0x081, data)))
     wait_until(lambda: len(drive.emergencies) >= 1, "the messages")
     wait_until(lambda: drive.emergencies[-1].code == 0, "the end message")
-    assert any("came and went: " in w and "error 8120" in w for w in drive.status().warnings)
+    assert any("came and ended: " in w and "error 8120" in w for w in drive.status().warnings)
     assert not drive.status().warnings
 
 

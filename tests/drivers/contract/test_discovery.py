@@ -180,4 +180,4 @@ def test_heartbeats_are_heard_on_a_bus_without_a_word() -> None:
         assert bus.recv(0.0) is None, "the listener is silent"
     assert heard == {5: 5, 1: 0x7F}
     assert node_words(heard) == "node 1 (pre-operational), node 5 (operational)"
-    assert node_words({}) == "no heartbeat heard"
+    assert node_words({}) == "no heartbeat received"

@@ -186,7 +186,7 @@ def test_counter_conversion(word: int, count: int) -> None:
 @pytest.mark.parametrize(
     ("inputs", "settings", "sentence"),
     [
-        ({"analog_1": ("bridge", 3.5)}, {}, "no bridge inputs; put a bridge amplifier"),
+        ({"analog_1": ("bridge", 3.5)}, {}, "no bridge inputs; use a bridge amplifier"),
         ({"analog_1": ("voltage", 5.0)}, {}, "no range of 5 V; it has 10 V"),
         ({"analog_1": ("voltage", 3.0)}, {"model": 4108}, "it has 10, 5, 2, 1, 0.5, 0.2 V"),
         ({"analog_9": ("voltage", 10.0)}, {}, "write analog_1 to analog_8"),

@@ -304,7 +304,7 @@ def test_half_scale_check_proves_scales_and_order(bench: Any) -> None:
         (DataRequest(960.0, {"analog_9": ("bridge", 3.5)}), "no input"),
         (DataRequest(960.0, {"counter_1": ("bridge", 3.5)}), "cannot measure a bridge"),
         (DataRequest(960.0, {"analog_1": ("counter", 3600.0)}), "a bridge or a voltage"),
-        (DataRequest(960.0, {}), "no input is asked for"),
+        (DataRequest(960.0, {}), "no input is requested"),
         (_request(object_map=["analog_1", "counter_1"]), "lacks analog_2"),
     ],
 )
@@ -401,7 +401,7 @@ def test_start_needs_a_configuration(bench: Any) -> None:
 
 def test_nothing_answers(wire: Any) -> None:
     driver = Gsv8("daq", wire(lambda data, now: b"").port, {"reply_timeout_s": 0.05})
-    with pytest.raises(ConnectionFailed, match="nothing answers; check power"):
+    with pytest.raises(ConnectionFailed, match="no answer; check power"):
         driver.open()
     driver.close()
 

@@ -260,7 +260,7 @@ def test_allowed_rates_divide_the_converter_rate() -> None:
         (0x75, "another port"),
         (0x64, "data rate is too high"),
         (0xB3, "TEDS"),
-        (0xEE, "does not know"),
+        (0xEE, "unknown to this program"),
     ],
 )
 def test_status_words(code: int, words: str) -> None:

@@ -127,7 +127,7 @@ def test_neighbours_share_a_request_and_others_do_not() -> None:
         ({"preset": OWN, "registers": [{**REGISTERS[0], "function": 6}]}, "entry 1: .*function"),
         ({"preset": OWN, "registers": [{**REGISTERS[0], "scale": 0.0}]}, "scale = 0"),
         ({"preset": OWN, "registers": [REGISTERS[0], REGISTERS[0]]}, "twice"),
-        ({}, "the device does not tell oil_C; its settings give temperature_C, humidity"),
+        ({}, "the device does not report oil_C; its settings give temperature_C, humidity"),
     ],
 )
 def test_registers_that_are_none_are_refused_before_a_port_is_opened(
@@ -163,7 +163,7 @@ def test_own_registers_are_read_in_few_requests(wire: Any) -> None:
         assert driver.read() == {"level_mm": -3.5}
         simulator.inject("sensor_broken")
         assert math.isnan(driver.read()["level_mm"])
-        with pytest.raises(SettingRefused, match="the device does not tell wind_m_per_s"):
+        with pytest.raises(SettingRefused, match="the device does not report wind_m_per_s"):
             driver.configure(SlowRequest(("wind_m_per_s",)))
     finally:
         driver.close()

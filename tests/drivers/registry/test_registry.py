@@ -125,7 +125,7 @@ def test_defaults_are_filled_and_whole_numbers_become_floats() -> None:
         ({"sample_rate_Hz": 0.5}, "below the smallest value 1"),
         ({"sample_rate_Hz": 96000}, "above the largest value 48000"),
         ({"sample_rate_Hz": math.nan}, "not a finite number"),
-        ({"address": 128.5}, "128.5 is not a whole number"),
+        ({"address": 128.5}, "128.5 is not an integer"),
         ({"address": 127}, "below the smallest value 128"),
         ({"mode": "fasst"}, 'did you mean "fast"'),
         ({"mode": 3}, "3 is not a text"),

@@ -200,7 +200,7 @@ def test_the_ramp_of_a_power_off_is_made_short_and_told(
     lacks = drive_rig(unknown_commands=(Command.DUTY_ACCELERATIONS,))
     told = connect(lacks, reply_timeout_ms=50.0).configure(request_for())
     assert told["power_off_ramp"] == "an unknown time"
-    assert "how fast it takes the power off" in told["advice"]
+    assert "how fast it removes the power" in told["advice"]
 
 
 @pytest.mark.parametrize(

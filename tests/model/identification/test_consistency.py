@@ -111,7 +111,7 @@ def test_sentences_say_what_is_known_and_why_not() -> None:
         depth = virtual.readings(LIFE, 1, last, scaled)
         return sentence(identify(virtual.gathered(depth), LIFE, virtual.ERRORS, virtual.PRIOR))
 
-    assert said(100).startswith("The wear coefficient cannot be told yet, because its limits are")
+    assert said(100).startswith("The wear coefficient cannot be determined yet. Its limits are")
     assert said(8000).startswith("One wear coefficient, 54")
     runs_in = 1.1 * (NUMBER + 3000.0 * -np.expm1(-NUMBER / 1500.0))
     assert said(LAST, runs_in).startswith("Running-in: the wear coefficient fell from 14")

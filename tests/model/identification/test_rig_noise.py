@@ -75,7 +75,7 @@ def test_a_temperature_channel_takes_out_what_the_room_does() -> None:
     assert "swing" not in [each.name for each in with_room.disturbances]
     assert "for a degree of temperature" in sentence(with_room)
     # Without the channel nobody knows whether a day's swing is in what was seen so far.
-    unsure = "A slow swing of the probes, as by the room's temperature, cannot be excluded yet."
+    unsure = "A slow drift of the probes, as by the room's temperature, cannot be excluded yet."
     assert unsure not in sentence(with_room)
     assert unsure in sentence(known(rig.recorded("white", 1), last))
     limits = with_room.coefficient

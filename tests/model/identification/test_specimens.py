@@ -61,5 +61,5 @@ def test_what_was_known_before_the_test_is_not_counted_as_its_result() -> None:
     assert told.spread == pytest.approx(wide.spread, rel=0.1)
     assert 0.0 < abs(wide.common) < wide.spread
     sure = Prior(1.1 * NOMINAL, 1e-4, "one who knows")
-    with pytest.raises(NotIdentifiable, match="hardly more"):
+    with pytest.raises(NotIdentifiable, match="add little"):
         estimate_of(identify(bins, life, ERRORS, sure), "probes")

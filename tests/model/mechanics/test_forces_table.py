@@ -175,7 +175,7 @@ def test_an_earlier_table_is_replaced_whole(params: Path, tmp_path: Path) -> Non
         ({"clearance_mm": 50.0, "joint": "continuous"}, r"params.toml with --clearance-mm 50"),
         ({"clearance_mm": 0.0, "joint": "contact"}, "params.toml: clearance is 0 m"),
         ({"target": Path("forces.txt")}, "ends with .csv"),
-        ({"target": Path("nowhere/forces.csv")}, "no such folder"),
+        ({"target": Path("nowhere/forces.csv")}, "folder does not exist"),
     ],
 )
 def test_refusals(params: Path, tmp_path: Path, changes: dict, words: str) -> None:
@@ -277,7 +277,7 @@ def test_law_and_restitution_are_keys_of_the_file_and_options(
     assert deepest() == (pytest.approx(17.5, abs=0.1), "")
     depth, words = deepest(Impacting(contact_law="lankarani-nikravesh", restitution=0.5))
     assert depth == pytest.approx(43.2, abs=0.3)
-    assert "gives a restitution of 0.73 where 0.50 is asked for" in words
+    assert "gives a restitution of 0.73 where 0.50 is set" in words
     keys = 'contact_law = "pereira"\nrestitution = 0.95\n[bushing]'
     params.write_text(PARAMETERS.replace("[bushing]", keys))
     assert deepest() == (pytest.approx(20.55, abs=0.2), "")

@@ -118,7 +118,7 @@ def test_a_law_that_misses_its_restitution_says_so() -> None:
     assert ContactModel("elements", 0.3).sentence() == ""
     assert ContactModel("lankarani-nikravesh", 0.95).sentence() == ""
     words = ContactModel("lankarani-nikravesh", 0.5).sentence()
-    assert "gives a restitution of 0.73 where 0.50 is asked for" in words
+    assert "gives a restitution of 0.73 where 0.50 is set" in words
     assert "0.47 where 0.50" in ContactModel("flores", 0.5).sentence()
     assert next(iter(CONTACT_LAWS)) == Joint(1e-3, 2e-3, 3e-3, 1e-3).contact_law
     for law in CONTACT_LAWS.values():

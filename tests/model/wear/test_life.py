@@ -335,7 +335,7 @@ def test_progress_is_told(parameters) -> None:
     [
         ({"cycles": 0}, ModelError, "cycles"),
         ({"tolerance": 0.0}, ModelError, "tolerance"),
-        ({"speed": 0.0}, ModelError, "stands still"),
+        ({"speed": 0.0}, ModelError, "stationary crank"),
         ({"technique": "glued"}, ModelError, "perfect, continuous or contact"),
         ({"force": 0.0}, ModelError, "force"),
         ({"force": 1e5}, ContactError, "through the wall|found no balance|linear elasticity"),

@@ -110,5 +110,5 @@ def test_the_bound_of_the_error_holds_for_each_law(parameters: Parameters, law: 
 
 
 def test_explicit_steps_are_refused_where_their_limit_is_not_known(parameters: Parameters) -> None:
-    with pytest.raises(ValueError, match="take implicit steps"):
+    with pytest.raises(ValueError, match="use implicit steps"):
         life(by(parameters, EXAMPLES["pressure-exponent"]), SPEED, 100.0, method="explicit")

@@ -256,7 +256,7 @@ def test_pressure_has_the_promised_columns_and_prints_the_pin(
         ({"force_N": 1e6}, "--force-N 1e.06: .*wall|--force-N 1e.06: .*balance"),
         ({"tolerance": 0.0}, "--tolerance 0: give 1e-05 to 0.1"),
         ({"target": Path("wear.txt")}, "--to wear.txt: give a name"),
-        ({"target": Path("nowhere/wear.csv")}, "no such folder"),
+        ({"target": Path("nowhere/wear.csv")}, "folder does not exist"),
         ({"force_N": 110.0, "cycles": 10**9}, "wear depth is .* worn through; give fewer cycles"),
     ],
 )
