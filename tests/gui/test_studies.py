@@ -71,7 +71,7 @@ def test_a_study_is_drawn_and_what_it_depends_on_is_said(opened: Opened, tmp_pat
     assert " to " in plot.range.whole
     assert not plot.plot.instead
     rows = panel.depends.texts()
-    assert {row[0] for row in rows} == {"joint.bushing_radius_mm", "run.force_N"}
+    assert {row[0] for row in rows} == {"Bushing radius (mm)", "Force (N)"}
     assert all(row[1].count("%") == row[2].count("%") == 1 for row in rows)
     assert panel.depends_title.text().startswith("Too few points to say")  # 16 base points
     assert not panel._power.isVisible()
@@ -91,7 +91,7 @@ def test_texts_stand_at_the_axis_and_power_in_a_table(opened: Opened, tmp_path: 
     panel = opened(tmp_path)
     choose(panel, "joints")
     plot = panel.plot
-    plot.parameter.setCurrentIndex(plot.parameter.findText("run.joint"))
+    plot.parameter.setCurrentIndex(plot.parameter.findData("run.joint"))
     assert [text for _, text in plot.plot._axes["bottom"].ticks()] == ["continuous", "perfect"]
     assert not panel._depends.isVisible()
     choose(panel, "power")
@@ -99,7 +99,7 @@ def test_texts_stand_at_the_axis_and_power_in_a_table(opened: Opened, tmp_path: 
     assert [row[:2] for row in panel.power.texts()] == [["1", "3"], ["2", "3"]]
     assert panel.power.texts()[0][2:] == ["not in time"] * 4
     assert panel.power.horizontalHeaderItem(2).text() == "50 %"
-    assert plot.parameter.currentText() == "run.coefficient_factor"
+    assert plot.parameter.currentData() == "run.coefficient_factor"
     assert not plot.plot._axes["bottom"]._tickLevels
 
 

@@ -15,7 +15,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from rigapp.gui.panel import Host
-from rigapp.gui.plots.studyplot import StudyPlot
+from rigapp.gui.plots.studyplot import StudyPlot, parameter_title
 from rigapp.gui.widgets.build import (
     button,
     choose_paths,
@@ -364,9 +364,10 @@ def _dependence(study: StudyResults, result: str) -> list[tuple[float, tuple[str
         return []
     first = zip(known.first_order, known.first_order_low, known.first_order_high, strict=True)
     total = zip(known.total, known.total_low, known.total_high, strict=True)
+    titles = [parameter_title(parameter, study) for parameter in study.parameters]
     return [
-        (float(with_others[0]), (parameter.name, _share(*alone), _share(*with_others)))
-        for parameter, alone, with_others in zip(study.parameters, first, total, strict=True)
+        (float(with_others[0]), (title, _share(*alone), _share(*with_others)))
+        for title, alone, with_others in zip(titles, first, total, strict=True)
     ]
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtWidgets import QComboBox
 
+from rigapp.gui.language.keys import key_name
 from rigapp.gui.plots.palette import LinePen
 from rigapp.gui.plots.plotpanel import PlotPanel
 from rigapp.gui.plots.plotting import QuietPlot
@@ -45,6 +46,15 @@ def result_title(result: StudyColumn) -> str:
     return with_unit(capitalised(words), result.unit)
 
 
+def parameter_title(parameter: StudyColumn, study: StudyResults) -> str:
+    """Return a parameter in words with its unit; its whole key where two of a study end alike."""
+    endings = [column.name.rpartition(".")[2] for column in study.parameters]
+    ending = parameter.name.rpartition(".")[2]
+    if endings.count(ending) > 1:
+        return parameter.name
+    return with_unit(tr(key_name(ending)), parameter.unit)
+
+
 class StudyPlot(PlotPanel):
     """Draw the chosen result against the chosen parameter, and show its range."""
 
@@ -75,12 +85,14 @@ class StudyPlot(PlotPanel):
     def show_study(self, study: StudyResults | None) -> None:
         """List parameters and results of a study; the choice stays where it has that, too."""
         self._study = study
-        results = study.results if study is not None else ()
-        parameters = study.parameters if study is not None else ()
-        for box, items in (
-            (self.result, [(result_title(result), result.name) for result in results]),
-            (self.parameter, [(parameter.name, parameter.name) for parameter in parameters]),
-        ):
+        results: list[tuple[str, str]] = []
+        parameters: list[tuple[str, str]] = []
+        if study is not None:
+            results = [(result_title(result), result.name) for result in study.results]
+            parameters = [
+                (parameter_title(column, study), column.name) for column in study.parameters
+            ]
+        for box, items in ((self.result, results), (self.parameter, parameters)):
             chosen = box.currentData()
             box.blockSignals(True)
             box.clear()
@@ -116,7 +128,7 @@ class StudyPlot(PlotPanel):
             tr("{} to {}, half of them below {}", _short(low), _short(high), _short(_middle(known)))
         )
         self.plot.name_places("bottom", _names(against.texts))
-        self.plot.label("bottom", with_unit(against.name, against.unit))
+        self.plot.label("bottom", parameter_title(against, self._study))
         self._dots.setData(against.values, result.values)
         first, last = float(against.values.min()), float(against.values.max())
         room = ROOM * (last - first) or 0.5
