@@ -201,10 +201,10 @@ class ScriptedSpindle:
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """Return a test file that was cut off, and a whole one."""
-    folder = tmp_path_factory.mktemp("files")
+    folder, plan = tmp_path_factory.mktemp("files"), FilePlan(4, 0, 50)
     for name in ("part.h5", "whole.h5"):
-        writer = new_test(folder, FilePlan(4, 0, 50), name)
-        writer.append_row(row(1))
+        writer = new_test(folder, plan, name)
+        writer.append_row(row(1, plan))
         if name == "whole.h5":
             writer.finish("complete", "complete", "All revolutions are done.")
         writer.close()
