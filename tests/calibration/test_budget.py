@@ -73,11 +73,14 @@ def test_few_degrees_of_freedom_widen_the_interval() -> None:
     assert both.combined == pytest.approx(5.0)
 
 
-def test_line_bounds_the_uncertainty_from_above() -> None:
+@pytest.mark.parametrize("curvature", [1e-5, -1e-4], ids=["rising", "falling"])
+def test_line_bounds_the_uncertainty_from_above(curvature: float) -> None:
     budgets = tuple(
-        combine(f, (Contribution("a", 1.0 + 0.01 * f + 1e-5 * f * f, np.inf),))
+        combine(f, (Contribution("a", 20.0 + 0.01 * f + curvature * f * f, np.inf),))
         for f in (40.0, 160.0, 280.0, 400.0)
     )
     constant, slope = expanded_line(budgets)
+    assert constant >= 0.0
+    assert slope >= 0.0
     for one in budgets:
         assert constant + slope * one.value >= one.expanded - 1e-9

@@ -314,12 +314,14 @@ def _terms(parts: Scatter, force: Array) -> Array:
 
 
 def expanded_line(budgets: Sequence[Budget]) -> tuple[float, float]:
-    """Return a (N) and b of U(F) = a + b F that bounds the expanded uncertainties from above."""
+    """Return a (N) and b of U(F) = a + b F that bounds the expanded uncertainties from above.
+
+    b is not below 0: a rig file states an uncertainty that does not fall with the force.
+    """
     force = np.array([one.value for one in budgets])
     expanded = np.array([one.expanded for one in budgets])
-    slope, intercept = np.polyfit(force, expanded, 1)
-    lift = float(np.max(expanded - intercept - slope * force))
-    return float(intercept) + lift, float(slope)
+    slope = max(float(np.polyfit(force, expanded, 1)[0]), 0.0)
+    return float(np.max(expanded - slope * force)), slope
 
 
 def plain(value: float, digits: int = 4) -> str:
