@@ -94,7 +94,7 @@ def test_it_says_how_soon_the_crank_was_at_rest_and_what_is_unknown(
     facts = dict(page.table.texts())
     assert facts["Largest force"] == "301.5 N at 187°"
     assert facts["Last movement"].startswith("0.80 s after the trip")
-    assert facts["Seen at rest"].startswith("1.05 s after the alarm")
+    assert facts["Confirmed at rest"].startswith("1.05 s after the alarm")
     assert facts["Alarm logged"].endswith("51.968")
     load(page, qtbot, monkeypatch, capture(happened=math.nan, stood_s=math.nan, currents={}))
     facts = dict(page.table.texts())
