@@ -181,7 +181,7 @@ def _write(to: Path, data: bytes) -> None:
 
 NAMES = {
     "revolutions": say("revolutions"),
-    "cycles": say("whole cycles"),
+    "cycles": say("complete cycles"),
     "unfinished": say("unfinished revolutions"),
     "prediction": say("predicted rows"),
     "curves": say("predicted curves"),

@@ -118,7 +118,7 @@ def test_uncertainty_of_forces_is_stated(page: Page) -> None:
 
 
 def test_cycles_around_triggers_and_cut_off_are_listed(page: Page) -> None:
-    rows = page.rows("Whole cycles")
+    rows = page.rows("Complete cycles")
     assert ["28", "27", "29", "3", "an input at the end of its range"] in rows
     assert ["45", "45", "46", "2", "good"] in rows
     assert "kept apart: revolution 61." in page.text

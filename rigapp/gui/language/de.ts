@@ -9508,8 +9508,8 @@ Der Not-Halt ist der rote Knopf am Prüfstand. Er wirkt ohne dieses Programm, un
         <translation>Wer die Steuerung hat</translation>
     </message>
     <message>
-        <source>Whole cycles</source>
-        <translation>Ganze Zyklen</translation>
+        <source>Complete cycles</source>
+        <translation>Vollständige Zyklen</translation>
     </message>
     <message>
         <source>Cycles stored around alarms, limits and notes</source>
@@ -12466,12 +12466,12 @@ Mittel (µm)</translation>
         <translation>was das Modell berechnet</translation>
     </message>
     <message>
-        <source>whole cycle</source>
-        <translation>ganzer Zyklus</translation>
+        <source>complete cycle</source>
+        <translation>vollständiger Zyklus</translation>
     </message>
     <message>
-        <source>whole cycles</source>
-        <translation>ganze Zyklen</translation>
+        <source>complete cycles</source>
+        <translation>vollständige Zyklen</translation>
     </message>
     <message>
         <source>with a micrometer across the follower</source>

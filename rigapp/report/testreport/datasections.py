@@ -251,7 +251,7 @@ def cycles(
     blocks: list[Block] = []
     if refused:
         text = tr(
-            "{} had no room in the file and could not be kept.", counted(refused, "whole cycle")
+            "{} had no room in the file and could not be kept.", counted(refused, "complete cycle")
         )
         blocks.append(Text(text, strong=True))
     if pictures:
@@ -266,7 +266,7 @@ def cycles(
         blocks.append(
             Text(tr("Cut off by the end of the test, and kept apart: revolution {}.", numbers))
         )
-    return Section(tr("Whole cycles"), tuple(blocks))
+    return Section(tr("Complete cycles"), tuple(blocks))
 
 
 def _bursts(bursts: Sequence[Burst]) -> list[Block]:

@@ -18,7 +18,7 @@ from rigapp.texts import capitalised
 UNKNOWN: Final[Text] = "unknown"
 NOUNS: Final[tuple[Text, ...]] = (
     "alarm", "alarms", "event", "events", "gap", "gaps", "line", "lines", "revolution",
-    "revolutions", "sample", "samples", "whole cycle", "whole cycles", "more trigger",
+    "revolutions", "sample", "samples", "complete cycle", "complete cycles", "more trigger",
     "more triggers",
 )  # fmt: skip
 """What ``counted`` counts, one and many."""
