@@ -5616,7 +5616,7 @@ ab {}</translation>
         <translation>Eingabetaste, b, r, n oder q</translation>
     </message>
     <message>
-        <source>Every reading is saved at once. You can close the wizard at any time and take the calibration up again.</source>
+        <source>Every reading is saved at once. You can close the wizard and continue the calibration later.</source>
         <translation>Jede Messung ist sofort gespeichert. Der Assistent kann jederzeit geschlossen und die Kalibrierung später fortgesetzt werden.</translation>
     </message>
     <message>

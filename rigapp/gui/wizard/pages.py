@@ -274,8 +274,8 @@ WEIGHING = Questions(
     stem="calibration",
     journals="calibration",
     title="Plan and weights",
-    subtitle="Every reading is saved at once. You can close the wizard at any time and take the"
-    " calibration up again.",
+    subtitle="Every reading is saved at once. You can close the wizard and continue the"
+    " calibration later.",
     defaults=LoadCellFile(schema=1, cell=CellSection(name="Load cell")),
     fields=(
         Field("cell", "&Load cell", edit, "Load cell", "cell.name", "Name of the load cell"),

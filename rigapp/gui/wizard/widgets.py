@@ -263,6 +263,8 @@ class ResidualPlot(QWidget):
         """Leave the room to the table on a low page; the words say the largest residual."""
         for shown in (self.title, self.plot):
             shown.setHidden(low)
+        height = QSizePolicy.Policy.Maximum if low else QSizePolicy.Policy.Preferred
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, height)
 
     def dress(self, theme: Theme) -> None:
         """Take a theme."""
