@@ -123,7 +123,7 @@ def rigapp(*arguments: str | Path, status: int = 0) -> str:
 def test_a_queue_survives_the_computer_and_begins_nothing_by_itself(folder: Path) -> None:
     first, second = a_test(folder, "first", NEVER_OVER), a_test(folder, "second", 6)
     told = rigapp("queue", "add", first, second, "--rig", RIG, "--to", folder / "results")
-    assert "2 to be done, the queue stands" in told
+    assert "2 to be done, the queue is paused" in told
 
     def listed() -> dict[str, Any]:
         return dict(json.loads(rigapp("queue", "list", "--rig", RIG, "--json")))

@@ -80,7 +80,7 @@ def test_a_record_counts_at_once_and_at_the_next_start(host: EngineHost, tmp_pat
     started = ask(host, "start", test=test, out=str(out), revolutions=500)
     assert started.ok, started.sentence
     name_record(rig, cell(tmp_path, "old.json", 205.0, due="2026"))
-    assert "under way; stop it first" in ask(host, "use_records").sentence
+    assert "is running; stop it first" in ask(host, "use_records").sentence
     assert ask(host, "stop", reason="seen enough").ok
     host.engine.wait(ENDED, PATIENCE_S)
     with open_test(out) as reader:

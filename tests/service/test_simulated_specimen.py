@@ -98,8 +98,8 @@ def test_the_second_test_of_a_specimen_goes_on_with_its_depth_and_a_moved_probe_
     assert alarm.key == "wear_jumped"
     assert "in revolution 60 of second.h5 it was" in alarm.cause
     assert host.engine.outcome is not None
-    assert "not to be trusted" in host.engine.outcome.sentence
-    assert "not to be trusted" in identified_test(third).said
+    assert "not reliable" in host.engine.outcome.sentence
+    assert "not reliable" in identified_test(third).said
     again = last_wear(RIG, specimen)
     assert again is not None
     assert again.file == str(second), "the last depth that was believed"
@@ -146,6 +146,6 @@ def test_a_depth_that_jumps_between_stop_and_resume_is_told(
     assert alarm.key == "wear_jumped"
     assert "of t.h5 it was" in alarm.cause
     assert "a probe was moved, or the specimen exchanged" in alarm.cause
-    assert "not to be trusted" in engine.outcome.sentence
+    assert "not reliable" in engine.outcome.sentence
     with open_test(out) as reader:
         assert believed_until(reader) is not None
