@@ -95,4 +95,4 @@ def test_channels_go_from_the_rig_file_to_limit_file_export_and_replay(tmp_path:
     finally:
         replay.close()
     assert {f"{name}_age" for name in FREE[1:]} <= set(snapshot.columns)
-    assert len(snapshot.rows) == 8 * len(bushing) * len(snapshot.columns)
+    assert snapshot.recorded == len(bushing)
