@@ -50,9 +50,8 @@ def parameter_title(parameter: StudyColumn, study: StudyResults) -> str:
     """Return a parameter in words with its unit; its whole key where two of a study end alike."""
     endings = [column.name.rpartition(".")[2] for column in study.parameters]
     ending = parameter.name.rpartition(".")[2]
-    if endings.count(ending) > 1:
-        return parameter.name
-    return with_unit(tr(key_name(ending)), parameter.unit)
+    words = parameter.name if endings.count(ending) > 1 else tr(key_name(ending))
+    return with_unit(words, parameter.unit)
 
 
 class StudyPlot(PlotPanel):
