@@ -7,14 +7,18 @@ import re
 import shutil
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 import pytest
 from pypdf import PdfReader
+from pypdf.generic import NullObject
 from reportpage import Page
 
 from rigapp.commands.files import draw_figure, write_report
 from rigapp.config.errors import UnusableInput
 from rigapp.presentation.tokens import LIGHT
+from rigapp.report.page.document import Listing, Manuscript, Section, Table, Text
+from rigapp.report.page.pdf import as_pdf
 from rigapp.storage import open_test
 
 SETTINGS = """schema = 1
@@ -64,20 +68,58 @@ def test_the_first_page_says_who_what_and_what_came_out(document: PdfReader) -> 
 
 
 def test_figures_are_lines_and_text_with_embedded_fonts(document: PdfReader) -> None:
-    forms, pixels = [], []
-    for page in document.pages:
-        for name, one in (page["/Resources"].get("/XObject") or {}).items():
-            kind = one.get_object()["/Subtype"]
-            (forms if kind == "/Form" else pixels).append((name, one.get_object()))
-    assert len(forms) == 5
+    resources = [page["/Resources"] for page in document.pages]
+    pixels = []
+    for part in resources:
+        for one in (part.get("/XObject") or {}).values():
+            if one["/Subtype"] == "/Form":
+                resources.append(one["/Resources"])
+            else:
+                pixels.append(one)
+        for font in (part.get("/Font") or {}).values():
+            (inner,) = font.get("/DescendantFonts") or [font]
+            assert "/FontFile2" in inner.get_object()["/FontDescriptor"]
     assert len(pixels) == 1, "the logo"
-    for _, form in forms:
-        for font in form["/Resources"]["/Font"].values():
-            inner = font.get_object()
-            inner = (
-                inner["/DescendantFonts"][0].get_object() if "/DescendantFonts" in inner else inner
-            )
-            assert "/FontFile2" in inner["/FontDescriptor"]
+    text = "".join(page.extract_text() for page in document.pages)
+    for words in ("wear depth (µm)", "force_1 (N)", "revolution"):
+        assert words in text
+
+
+def test_it_is_tagged_for_programs_that_read_it_aloud(document: PdfReader) -> None:
+    tags: list[tuple[str, str]] = []
+
+    def walk(node: Any) -> None:
+        node = node.get_object()
+        if isinstance(node, list):
+            for one in node:
+                walk(one)
+        elif isinstance(node, dict):
+            if "/S" in node:
+                tags.append((node["/S"], str(node.get("/Alt", ""))))
+            walk(node.get("/K", NullObject()))
+
+    walk(document.trailer["/Root"]["/StructTreeRoot"])
+    assert document.trailer["/Root"]["/MarkInfo"]["/Marked"]
+    names = [name for name, _ in tags]
+    assert names[0] == "/Document"
+    headings = [one["/Title"] for one in document.outline if isinstance(one, dict)]
+    assert names.count("/H1") == len(headings) > 10
+    assert {"/Title", "/P", "/Caption", "/Table", "/TR", "/TH", "/TD", "/Code"} <= set(names)
+    texts = [text for name, text in tags if name == "/Figure"]
+    assert len(texts) == 6, "five figures and the logo"
+    assert all(texts)
+    assert texts[0] == "Laboratory of Tribology"
+
+
+@pytest.mark.parametrize(
+    "note", ["株式会社 \U0001f600 \U000e0fff", "\x00 \ud800 #set page() $x$ [*"]
+)
+def test_a_text_that_no_font_has_does_not_stop_a_report(note: str) -> None:
+    blocks = (Text(note), Table("", ((note, note),)), Listing(note, note))
+    data = as_pdf(Manuscript("title", "footer", (Section(note, blocks),)))
+    (page,) = PdfReader(io.BytesIO(data)).pages
+    assert "page 1 of 1" in page.extract_text()
+    assert as_pdf(Manuscript("title", "footer", (Section(note, blocks),))) == data
 
 
 def test_the_date_of_the_document_is_that_of_the_test(folder: Path, document: PdfReader) -> None:

@@ -37,7 +37,7 @@ class Figure:
     """A drawing, with a description for those who cannot see it.
 
     draw: returns it as "svg", "pdf" or "png", the same bytes each time, in its own width or a given
-    one in mm.
+    one in mm. "svg with text" has letters instead of their outlines: the reader needs the font.
     """
 
     title: str

@@ -93,9 +93,14 @@ def saved(canvas: Any, title: str, words: str, caption: str = "") -> Figure:
 
 
 def _rendered(canvas: Any, kind: str, width_mm: float | None = None) -> bytes:
-    """Return a canvas as "svg", "pdf" or "png", the same bytes each time; None: its own width."""
+    """Return a canvas as ``Figure.draw`` says, the same bytes each time; None: its own width."""
     stream = io.BytesIO()
+    kind, _, text = kind.partition(" with ")
     with in_style():
+        if text:
+            import matplotlib
+
+            matplotlib.rcParams["svg.fonttype"] = "none"
         if width_mm is not None:
             width_in, margins = width_mm / 25.4, canvas.subplotpars
             before = canvas.get_figwidth()
