@@ -187,7 +187,7 @@ FOREIGN = {
     0x6079: ("", ""),
     0x607F: ("", "rigapp alone keeps it"),
     0x6080: ("", ""),
-    0x6083: ("", "a ramp of its own, whatever the test file says; change the ramp in the drive"),
+    0x6083: ("", "ramps up or down by its own setting, not by the test file's; change the ramp"),
     0x6084: ("", "‹no object 6084›"),
     0x6085: ("", ""),
     0x6086: ("", ""),
@@ -202,13 +202,13 @@ FOREIGN = {
     0x1A03: ("", ""),
     0x60A9: ("give velocity_step_rpm from its manual", ""),
     0x1016: ("it lacks the monitor of this computer ‹object 1016:1›", ""),
-    0x1017: ("nothing for its heartbeat", ""),
-    0x6040: ("nothing for commands", ""),
-    0x6041: ("nothing for its state", ""),
+    0x1017: ("it lacks its heartbeat", ""),
+    0x6040: ("it lacks commands", ""),
+    0x6041: ("it lacks its state", ""),
     0x6060: ("it lacks its mode", ""),
-    0x6064: ("nothing for its position", ""),
-    0x606C: ("nothing for its speed", ""),
-    0x60FF: ("nothing for the speed to turn at", ""),
+    0x6064: ("it lacks its position", ""),
+    0x606C: ("it lacks its speed", ""),
+    0x60FF: ("it lacks the speed to turn at", ""),
 }
 """Object that the drive lacks -> how the set-up ends, or what it advises."""
 
