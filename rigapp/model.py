@@ -1,6 +1,6 @@
 """The model as a library: mechanism, forces, contact, wear, identification, in SI units.
 
-These names stay; what stands in ``model`` itself may change from version to version.
+These names are stable; the contents of ``rigapp_model`` may change from version to version.
 ``docs/model.md`` says what is computed, ``docs/model-wear.md`` what is known of the wear.
 """
 

@@ -180,7 +180,7 @@ LEAST_TORQUE_NM = 0.01
 
 @dataclass(frozen=True, slots=True)
 class MechanismMotion:
-    """Hold motion and forces at every angle, in SI; vectors have shape (2, ...), scalars (...).
+    """Motion and forces at every angle, in SI; vectors have shape (2, ...), scalars (...).
 
     Positions, velocities and accelerations are those of the centres of mass; the slider's are
     along x. ``force`` is F on the follower by the pin, ``wrist_force`` is on the slider by the
@@ -224,7 +224,7 @@ class MechanismMotion:
         return pin_radius * (self.speed - self.follower_speed)
 
     def slip_increments(self, pin_radius: float) -> Array:
-        """Return the slip from each angle to the next one, m; the last goes on to the first.
+        """Return the slip from each angle to the next one, m; the last one to the first.
 
         The angles must be one revolution in steps; the sum is then 2 pi ``pin_radius`` whatever
         the clearance is. (Paper, section 4.1.)

@@ -26,8 +26,8 @@ Array = NDArray[np.float64]
 UNSEEN_COUNTS = 2.5
 """Counts of a history that a motion may change without being detected."""
 STANDS_OUT, FAR = 10.0, 25.0
-"""An order with so many times the power of the noise is motion: two of the first, one of the second
-(odds of 1 in 100,000 by chance)."""
+"""Ratios of power to noise from which an order is motion: two of the first, one of the second (odds
+of 1 in 100,000 by chance)."""
 BROAD = 7.0
 """Standard deviations by which the mean power must exceed the noise's to be motion."""
 EXPLAINED = 0.06
@@ -43,7 +43,7 @@ TOGETHER = 9
 COUNTED = 0.6
 """Counts by which that mean is off where a steady turn beats slowly with the counts."""
 REACH = 3
-"""A sudden change has orders beyond the highest; it is taken to reach so many times as far."""
+"""Factor for a sudden change, which has orders beyond the highest."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -24,17 +24,17 @@ SAME_SPEED = 0.01
 LEAST_SEEN = 3
 """Revolutions from which their scatter is used."""
 JERK = 8.0
-"""Ratio of scatters from which a revolution counts as so many times the usual one only."""
+"""Ratio of scatters above which a revolution has the weight of one with this ratio."""
 MOST_SAMPLES = 2048
 FITTED = 12
 """Orders that are fitted together with the steady turn; over one turn, more of them are nearly a
 line themselves."""
 SIGNIFICANT = 6.0
-"""Harmonics of the mean with less than so many times their variance are noise (5 % odds)."""
+"""Ratio of a harmonic's square to its variance below which it is noise (5 % odds)."""
 OWN = 2.0
-"""An order that scatters by more than so many times its chance changes from turn to turn."""
+"""Ratio of an order's scatter to chance above which it changes from turn to turn."""
 SEEN = 2.0
-"""Power of higher orders beyond so many standard deviations of chance is motion."""
+"""Standard deviations of chance above which the power of higher orders is motion."""
 _ORDERS = np.arange(1, HIGHEST_ORDER + 1)
 
 

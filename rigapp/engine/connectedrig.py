@@ -25,10 +25,10 @@ from rigapp.texts import joined, say
 from rigapp_drivers.api import Identity, SlowRequest, SlowSource, StreamSetup
 from rigapp_drivers.edge import GuardedSlow
 
-SMALLEST_QUEUE = 16384  # samples; a burst of so many may come after a pause of the host
+SMALLEST_QUEUE = 16384  # samples; the largest burst after a pause of the host
 PACED_SAMPLES = 4096
-"""Simulated samples wait on the wire while so many are not processed, or as many as the device
-takes in ``queue_age`` if that is more: a stop is not seen late, and no pass is idle."""
+"""Unprocessed samples from which a simulated device pauses, or the samples of ``queue_age`` if that
+is more: a stop is not seen late, and no pass is idle."""
 
 FRESH_S = 0.5
 """An older sample does not show the crank's present motion."""

@@ -328,7 +328,7 @@ class Core:
                 self.storage_failed(error)
 
     def record(self, row: Row) -> None:
-        """Store a judged revolution of the test under way, then publish it."""
+        """Store an evaluated revolution of the running test, then publish it."""
         stored = None
         with self._filing() as test:
             if test is not None:

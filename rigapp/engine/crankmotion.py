@@ -34,7 +34,7 @@ class CrankMotion:
     def pause(self, reason: str) -> bool:
         """Begin to pause at the safe angle, when the state allows it; return whether it does.
 
-        A rest between two steps becomes a pause: the test goes on at the operator's command.
+        A rest between two steps becomes a pause: the test continues at the operator's command.
         """
         core, test = self._core, self._core.test
         if test is None:

@@ -345,7 +345,7 @@ class Guard:
             self._core.act_on(make_alarm("stop", met.name, name=name, sentence=sentence))
 
     def predicted(self, test: ActiveTest, values: Array) -> None:
-        """Judge the twin's prediction by the rules of the test."""
+        """Evaluate the twin's prediction by the rules of the test."""
         named = by_name(prediction_columns(), values)
         measured = self._core.table.place
         alone = {name: value for name, value in named.items() if name not in measured}

@@ -135,7 +135,7 @@ class Watches:
 
 
 class DriveWatch:
-    """Judge a drive by its answers; calls from several threads run one at a time."""
+    """Monitor a drive by its answers; calls from several threads run one at a time."""
 
     def __init__(self, core: Core, rig: ConnectedRig, watchdog_s: float) -> None:
         """Begin; watchdog_s: time-out of the drive's own watchdog."""
@@ -177,7 +177,7 @@ class DriveWatch:
         )
 
     def look(self) -> None:
-        """Judge the drive's last answer, before another thread waits for the drive's thread."""
+        """Evaluate the drive's last answer, before another thread waits for the drive's thread."""
         with self._judging:
             if self._rig.control.status is not None:
                 self._judge(self._rig.control.status)

@@ -149,8 +149,8 @@ def test_a_silence_beyond_the_limit_ends_the_test_and_is_the_reason(
     with rig(name, speed, tmp_path) as one:
         one.start()
         one.run()
-        # Beyond the limit by far: without waits it makes 100 turns a second, and the limit is one of
-        # this computer's time. The silence lasts no longer than the test.
+        # Far beyond the limit: without waits the crank makes 100 turns a second, and the limit is
+        # in this computer's time. The silence lasts no longer than the test.
         one.disturb("hang", (500.0 if speed == "max" else 2.0) * LIMIT_TURNS)
         one.engine.wait(ENDED, 240.0)
         assert one.engine.outcome is not None

@@ -22,7 +22,7 @@ _CLOSED = 1e-6  # of the largest gap: less is neither open nor pressed in
 _BALANCED = 1e-6  # of the force, which the pressures carry but for this part
 _LONGEST_STEP = 0.1  # of the pin's radius: farther the nodes meet another part of its surface
 _STILL = 1e-12  # of the pin's radius: rounding of a position
-# After so many iterations the set changes one node at a time, which cannot cycle.
+# Iterations after which the set changes one node at a time, which cannot cycle.
 _PATIENCE = 30
 
 

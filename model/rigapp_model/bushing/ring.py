@@ -85,7 +85,7 @@ def winkler_compliance(
 ) -> SurfaceCompliance:
     """Return the compliance of the bed of springs between surface nodes (all if None).
 
-    foundation: its modulus, Pa/m. weights: the length of surface that each node stands for,
+    foundation: its modulus, Pa/m. weights: the length of surface of each node,
     (2 x sectors,), m. Tangentially the bed gives way like radially, so that the same springs act
     along any normal.
     """
@@ -187,7 +187,7 @@ class Ring:
         return _compliance(self, mesh, nodes.tobytes())
 
     def mesh(self, sectors: int) -> SectorMesh:
-        """Return a mesh of so many sectors, its layers fitting the wall."""
+        """Return a mesh with the given number of sectors and layers suitable for the wall."""
         return suitable_mesh(sectors, self.inner, self.outer)
 
 
@@ -265,7 +265,7 @@ def pressure_distribution(
     """Compute the pressure of the pin on the bushing.
 
     force: on the bushing by the pin, per metre of width, (2,), N/m; x is angle 0. sectors: of the
-    mesh; by default so many that 40 nodes lie in half the contact. Raises ContactError when the
+    mesh; by default such that 40 nodes lie in half the contact. Raises ContactError when the
     bushing cannot carry the force.
     """
     load = np.asarray(force, dtype=np.float64)

@@ -61,7 +61,7 @@ class SectorMesh:
 
 
 def suitable_mesh(sectors: int, inner: float, outer: float) -> SectorMesh:
-    """Return a mesh of so many sectors whose innermost elements are about square."""
+    """Return a mesh with the given number of sectors whose innermost elements are about square."""
     square = 2.0 * np.pi * inner / sectors
     layers, thickness = 8, outer - inner
     while layers < MOST_LAYERS:

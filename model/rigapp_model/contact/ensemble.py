@@ -124,7 +124,7 @@ def ensemble(
     points: int = 360,
     progress: Callable[[float], None] = lambda part: None,
 ) -> Ensemble:
-    """Run so many revolutions after the settling ones and return their means.
+    """Run a number of revolutions after the settling ones and return their means.
 
     progress: called with the part done; when it raises OutOfTime the ensemble so far is returned,
     or OutOfTime raised when it is empty. Raises ModelError as ``contact_cycle`` does.

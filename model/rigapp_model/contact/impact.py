@@ -51,7 +51,7 @@ class Impacts:
     """Hold every beginning of a contact: time (s), crank angle (rad), normal speed (m/s).
 
     ``peak`` (N) is the greatest force of the contact that began, found between the samples too; of
-    one that goes on at the end, up to there.
+    one that has not ended, up to the last sample.
     """
 
     time: Array

@@ -76,7 +76,7 @@ The widest gap between two is a fifth of a step, in which a contact swings by le
 cosine of half a radian is 0.12 below its top, and of a slower swing 0.04 of the range of a step.
 """
 PEAK_ROUNDS, PEAK_PARTS = 3, 8
-"""A greatest force is sought so often on so many parts: to 1/256 of a step, 1e-5 of a maximum."""
+"""Rounds and parts of the search for a peak: to 1/256 of a step, 1e-5 of a maximum."""
 SAME_TIME = 1e-13
 """Of the step: a crossing is not known better."""
 ROWS = float64[:, ::1]
@@ -331,10 +331,10 @@ def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
 def integrate(  # type: ignore[no-untyped-def]
     p, table, options, y, course, control, times, most_steps, samples, impacts, tally, workspace
 ):
-    """Go on towards the last of ``times``, write samples, impacts and tallies; return a status.
+    """Integrate towards the last of ``times``, write samples, impacts, tallies; return a status.
 
     options: location, shape. y (off the reference, see ``refer``), course and tally are changed:
-    when ``most_steps`` did not suffice the status is UNFINISHED, and a call with the same goes on.
+    when ``most_steps`` did not suffice the status is UNFINISHED; a call with the same continues.
     workspace: see ``make_workspace``.
     """
     scale, floor, tally_from = control[:4], control[FLOOR], control[TALLY_FROM]

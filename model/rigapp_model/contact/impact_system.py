@@ -26,7 +26,7 @@ NODES = 360  # of the worn surface: one a degree
 class ContactState:
     """Hold a state of the mechanism: slider (m, m/s), follower (rad, rad/s), and the contact.
 
-    ``impact_speed`` is the normal speed (m/s) at which a contact that goes on began.
+    ``impact_speed`` is the normal speed (m/s) at which the present contact began.
     """
 
     slider_position: float

@@ -27,12 +27,12 @@ from rigapp_model.restitution import CONTACT_LAWS
 Array = NDArray[np.float64]
 
 NARROW = 0.08
-"""Half-angle of contact, rad, below which half-space theory goes on from the elements to 2e-4."""
+"""Half-angle of contact, rad, below which half-space theory continues the elements to 2e-4."""
 STEP = 1.6
 """Ratio of a force to the one before, from the narrow contact to the last that is elastic."""
 FEWEST = 4
 FAINT = 1e-9
-"""The curve begins at so small a part of its last depth; below, it goes on as a power."""
+"""First depth of the curve over its last; below, it is continued as a power."""
 NEWTON_STEPS = 4
 PEREIRA_MEETS = 0.34954
 """Clearance, mm, at which the two branches of Pereira's exponent are one to 1e-4."""
@@ -41,10 +41,10 @@ MICRON_RANGE = (5e-6, 10e-3)  # m: clearances that Pereira's exponent was fitted
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Indentation:
-    """Hold force (N) over depth (m) of a pin in a bushing as a smooth curve.
+    """Smooth curve of force (N) over depth (m) of a pin in a bushing.
 
     ``table`` (SEGMENTS, 4): cubics of log force over log depth, from the highest power; ``begin``
-    and ``spacing``: of the log depth. Beyond the ends the curve goes on as a power of the depth;
+    and ``spacing``: of the log depth. Beyond the ends it continues as a power of the depth;
     ``end`` (m) is the last depth that the law is known at, inf where it has no end.
     """
 

@@ -31,7 +31,7 @@ class Bin:
 
     revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
     and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups
-    about their straight line, times readings, m^2, with so many degrees of freedom; steps: squares
+    about their straight line, times readings, m^2 (``freedom`` of them independent); steps: squares
     of differences of neighbouring groups, less their mean, times readings, NaN where not known;
     warm: mean temperature, degC, None where not known: else its effect is removed from squares,
     too.

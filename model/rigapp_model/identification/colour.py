@@ -21,7 +21,7 @@ from rigapp_model.identification.errors import ProbeErrors
 Array = NDArray[np.float64]
 
 EXPECTED_FREEDOM = 4.0
-"""The scatter that the record states counts as much as so many groups of readings."""
+"""Weight of the scatter stated by the record, in groups of readings."""
 LENGTHS = 4.0 ** np.arange(1, 9)
 """Revolutions in which the correlation falls by e: from 4 to 65,536."""
 SIZES = 2.0 ** np.arange(-1.0, 5.0)
@@ -47,7 +47,7 @@ class ScatterWithin:
     """Hold the spread of groups of readings in n bins that have three groups at least.
 
     groups (n,): of each; squares (n,): about their line, m^2 a group; wide (n,): revolutions of
-    each; step: variance of a group by steps, m^2, with so many degrees of freedom; known: whether
+    each; step: variance of a group by steps, m^2, with ``freedom`` degrees; known: whether
     steps were gathered.
     """
 

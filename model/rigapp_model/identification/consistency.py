@@ -50,16 +50,16 @@ PERIOD_DOUBT = 0.1
 EARLY, EARLY_ODDS = 0.8, float(np.log(300.0))
 """From this part of the threshold on other wear is reported where its odds are above the second."""
 SURE = 0.95
-"""Probability from which later readings are judged by a change; a lesser one may be a swing."""
+"""Probability from which a change counts as present; a lesser one may be a swing."""
 STEP_LASTS = 2.0
-"""Until so many times the revolution of a step, bins cannot distinguish it from a change of K."""
+"""Multiple of a step's revolution up to which bins cannot distinguish it from a change of K."""
 OVERSHOOT = 1.166
 """How far a sum of normal steps passes a threshold (Siegmund), in sigma."""
 STATES, LEVEL, NOISE = 11, 5, 6
 SWINGS = (8, 9)
 """States of what is expected; the level and the correlated noise among them."""
 WIDEST = 0.2
-"""Nothing is judged while ln K is less well known: its course is straight within this to 1 %."""
+"""Largest uncertainty of ln K for a verdict: its course is straight within this to 1 %."""
 
 
 def threshold(false_alarm: float = FALSE_ALARM) -> float:
@@ -92,7 +92,7 @@ class Departure:
 
 @dataclass(slots=True)
 class Consistency:
-    """Judge readings one by one against their prediction; the state has a fixed size.
+    """Compare readings one by one with their prediction; the state has a fixed size.
 
     mean (11,), covariance (11, 11): of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the level (the
     drift and steps, m), the correlated noise, m, creep, a swing's value and that a quarter of its

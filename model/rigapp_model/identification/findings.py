@@ -18,7 +18,7 @@ COLOUR_NAME, HEAT_NAME = "correlated noise", "temperature"
 FOUND = 0.95
 """Probability from which a disturbance counts as found."""
 SIGMAS = 2.0
-"""Creep, heat and a step that are further from 0 than so many standard uncertainties are found."""
+"""Standard uncertainties from 0 beyond which creep, heat or a step counts as present."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,7 +27,7 @@ SHARE, ROUGH_SHARES = 1.0 - 1e-3, (0.97, 0.995)
 """Nodes that hold this share of the posterior decide its 95 % limits to a hundredth of a sigma, and
 those that hold the others where they are, first and then."""
 MARGIN = 4.0
-"""The life must reach so many standard uncertainties beyond a depth for its limits to be known."""
+"""Standard uncertainties by which the life must pass a depth for its limits to be known."""
 TIMES = 32
 """Revolutions at which the probability of a depth is computed first; then where it is as in NEAR,
 twice."""
@@ -257,7 +257,7 @@ def _level(
 USUAL_SCATTER = 0.5
 """Scale of tau's half-normal prior: two specimens in three within a factor of 1.6 [assumed]."""
 REACH = 5.0
-"""The grid of tau reaches so many times the scale; a half-normal has 6e-7 beyond."""
+"""Largest tau of the grid over the scale; a half-normal has 6e-7 beyond."""
 GRID = 250
 """Points over tau: one each hundredth of K is finer than any test resolves."""
 LEAST_LEARNT = 0.1

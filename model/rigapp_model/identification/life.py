@@ -25,7 +25,7 @@ Scaled = Callable[[Array], tuple[Array, Array]]
 FINENESS = 4096
 """Parts of the table in the root of progress: straight lines between them are off by 1e-7."""
 GROWTH = 0.05
-"""A step goes on by so much of the progress: halving it moves no depth by more than 1e-3."""
+"""Relative growth of the progress in a step: halving it moves no depth by more than 1e-3."""
 FIRST_CYCLES = 2.0
 """The first step of a new bushing, whose contact is narrow, in nominal cycles."""
 

@@ -24,7 +24,7 @@ from rigapp_model.identification.shapes import Moments, shapes
 Array = NDArray[np.float64]
 
 EXPECTED_FREEDOM = 4.0
-"""The scatter that the record states counts as much as so many groups of readings."""
+"""Weight of the scatter stated by the record, in groups of readings."""
 LEAST_BINS = 4
 """With fewer, reference, sensitivity and coefficient cannot be separated from the scatter."""
 

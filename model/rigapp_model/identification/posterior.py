@@ -26,18 +26,18 @@ Array = NDArray[np.float64]
 GRID = 61
 """Points over ln K in the relevant range: two to a standard deviation."""
 RANGE = 5.0
-"""The first grid reaches so many of the prior's standard deviations to either side."""
+"""Half-width of the first grid in standard deviations of the prior."""
 NEGLIGIBLE = 18.0
 """What is less probable than the best by exp of this (1e-8) is left out."""
 FINE_ENOUGH = 24
-"""So many points of a grid within NEGLIGIBLE of the best make sums over it exact to 1e-4."""
+"""Points of a grid within NEGLIGIBLE of the best for which sums over it are exact to 1e-4."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Nodes:
     """Hypotheses with their weights, and the normal parameters given each of them.
 
-    breadth (H,): of ln K that each stands for, along which ln r changes by slope (H,) times it;
+    breadth (H,): interval of ln K of each, along which ln r changes by slope (H,) times it;
     weight (H,); mean (H, 4) and covariance (H, 4, 4) of ln r less that of the hypothesis, e / u_e,
     b / u_b and the modulus a; left (H, S), pulled (H, S, 4), and spare (H, S, S): the states of
     ``Noise`` given them, their dependence on them, and the remaining covariance; kinds: of noise,
@@ -238,7 +238,7 @@ BINS_A_CELL = 2
 """Of a change, before its cell is divided: within a bin the depth grows by a fifth only."""
 PARTS = 4
 DIVIDED = 2
-"""Cells are divided into so many parts, so many times."""
+"""Parts into which a cell is divided, and how often."""
 COUNTS = 10.0
 """A cell counts while it is less probable than the best by no more than exp of this."""
 DIVIDED_FROM = 0.2
@@ -246,11 +246,11 @@ DIVIDED_FROM = 0.2
 LARGEST_STEP = 0.7
 """Gauss-Newton changes K or r by a factor of 2 at most in a step."""
 FIRST_STEPS, MORE_STEPS = 4, 2
-"""So many steps from a constant coefficient, and from a near cell's best, settle to 1e-3."""
+"""Steps that converge to 1e-3 from a constant coefficient, and from a near cell's best."""
 BREADTH = 4.0
-"""The grid over ln K about a cell's best reaches so many standard deviations to either side."""
+"""Half-width of the grid over ln K about a cell's best, in standard deviations."""
 LEAST_POINTS, MOST_POINTS, NODES = 7, 21, 100
-"""Points of that grid: about so many in all cells; 7 are exact to 1e-3 in sums over many cells."""
+"""Points of that grid; 7 are exact to 1e-3 in sums over many cells. NODES: about all together."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -336,7 +336,7 @@ def _first_cells(inputs: PosteriorInputs, statement: Statement, start: float) ->
 def _settled(
     inputs: PosteriorInputs, statement: Statement, noise: Noise, cells: Cells, steps: int
 ) -> tuple[Cells, Noise]:
-    """Return the cells with the best coefficients after so many steps, for one kind of noise.
+    """Return the cells with the best coefficients after ``steps``, for one kind of noise.
 
     And the kinds of noise that count, the most probable first: the cells are by that one.
     """

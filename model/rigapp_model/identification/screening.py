@@ -39,8 +39,8 @@ from rigapp_model.identification.statements import Hypotheses, Statement
 Array = NDArray[np.float64]
 
 SHORTEST, LONGEST, BEYOND, RATIO = 500.0, 5.0, 8.0, 1.3
-"""Periods compared: of so many revolutions at least, so many days at most, none longer than so
-many times the test, each next one longer by a factor."""
+"""Periods compared: least revolutions, most days, largest ratio to the test's length, and the ratio
+of neighbouring periods."""
 DAILY = 0.75
 """Share of a day among the slow swings beforehand: rooms have one."""
 WARMED = 0.1
@@ -55,13 +55,13 @@ PARTS = 2
 NEVER = 1e12
 """Precision of ln r where there is no change."""
 MOST_KINDS, COUNTS = 10, 6.0
-"""So many kinds of noise at most are gone through, none less probable than the best by exp of the
-second; beside them the best one of each period with LEAST_SHARE of the weight."""
+"""Most kinds of noise examined, and the log odds against the best beyond which none is; in addition
+the best one of each period with LEAST_SHARE of the weight."""
 LEAST_SHARE = 0.02
 
 
 def periods(last: float, day: float) -> Array:
-    """Return the periods compared after so many revolutions: none (0), a day, and others."""
+    """Return the periods compared at the revolution ``last``: none (0), a day, and others."""
     longest = max(min(LONGEST * day, BEYOND * last), SHORTEST)
     count = int(np.ceil(np.log(longest / SHORTEST) / np.log(RATIO))) + 1
     return np.concatenate([[NO_PERIOD, day], np.geomspace(SHORTEST, longest, count)])

@@ -22,7 +22,7 @@ CHANGE_SPREAD = float(np.log(3.0))
 RUNNING_IN_SPREAD = float(np.log(5.0))
 """Spread of ln r of running-in, which only falls: first coefficients of 5 times the last occur."""
 RUNNING_IN_PLACES = (30.0, 3e4)
-"""Running-in takes so many nominal cycles at least and at most; equal chance in each decade."""
+"""Least and most nominal cycles of running-in; equal chance in each decade."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,12 +26,12 @@ from rigapp_model.bushing.linear import factorise, invert, substitute
 from rigapp_model.compiled import njit
 
 _LIMIT = 40  # sweeps; 5 to 10 settle as a rule, some of the single changes after _PATIENCE
-# After so many sweeps each position changes its set one node at a time.
+# Sweeps after which each position changes its set one node at a time.
 _PATIENCE = 25
-# A weak force at the edge of the wear of strong ones may move for long; when the wear stayed the
-# same for so many sweeps, its position does not matter.
+# A weak force at the edge of the wear of strong ones may move for long; its position does not
+# matter when the wear stayed the same for this number of sweeps.
 _QUIET = 4
-# When so many times the nodes of the start touch, the sets diverge.
+# Ratio of touching nodes to those of the start from which the sets diverge.
 _GROWTH = 4
 
 
@@ -149,7 +149,7 @@ def _bounded(move, force, pin, pin_radius, spacing):  # type: ignore[no-untyped-
     """Return the pin's move, sideways to the force by no more than a few nodes.
 
     Few touching nodes hardly resist sideways, and a pin that shoots off there gathers nodes that
-    it never leaves. Where the contact goes on by one node, the pin does by its distance from the
+    it never leaves. When the contact moves by one node, the pin moves by its distance from the
     bushing's centre times the angle between nodes.
     """
     size = np.sqrt(force[0] ** 2 + force[1] ** 2)

@@ -46,7 +46,7 @@ class Extrapolation:
 
 
 def stable_step(ring: Ring, sectors: int, wear_coefficient: float, loads: CycleLoads) -> float:
-    """Return the most cycles that one explicit step may take on a mesh of so many sectors.
+    """Return the most cycles of one explicit step on a mesh with the given number of sectors.
 
     The wear of a step must be below twice the indentation by its pressure: of the shortest wave of
     the mesh (``largest_explicit_step``), and of the wall as a bed of springs of k Pa/m, the
@@ -68,7 +68,7 @@ def extrapolation(
     loads: CycleLoads,
     step: float | None = None,
 ) -> Extrapolation:
-    """Return the steps to take: of so many cycles, by default half the stability limit.
+    """Return the steps to take: of ``step`` cycles, by default half the stability limit.
 
     Raises UnstableStep for more than the limit, because the pressure then oscillates and the depth
     overshoots while the worn area stays right.
@@ -124,7 +124,7 @@ def explicit_moments(
     step: float,
     alive: Callable[[float], None] = lambda done: None,
 ) -> Iterator[Moment]:
-    """Yield the moment at every row, from 0 cycles on, by steps of at most so many cycles.
+    """Yield the moment at every row, from 0 cycles on, by steps of at most ``step`` cycles.
 
     A step that would pass a row ends there. A second life with half the steps goes beside it; the
     scheme is of first order, so that twice their difference is the error. rows: increasing cycles

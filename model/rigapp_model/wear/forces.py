@@ -35,13 +35,13 @@ class ForceSource(Protocol):
         """Whether one force acts, the same at every crank position."""
 
     def unworn(self, positions: int) -> CycleLoads:
-        """Return the loads of the unworn joint at so many positions."""
+        """Return the loads of the unworn joint at a number of positions."""
 
     def samples(self, positions: int) -> Sequence[CycleLoads]:
         """Return the loads of the unworn joint by parts of a sample; none where none is taken."""
 
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
-        """Return the loads on a worn surface after so many cycles."""
+        """Return the loads on a worn surface after a number of cycles."""
 
     def clearance(self, front: Front) -> float:
         """Return R2 - R1 in the mechanism, m."""

@@ -93,7 +93,7 @@ def wear_problem(
     half_angle: float,
     law: WearLaw = ARCHARD,
 ) -> WearProblem:
-    """Return the problem on a mesh of so many sectors.
+    """Return the problem on a mesh with the given number of sectors.
 
     half_angle: rad; nodes further than it from every force's direction never touch.
     Raises ModelError for a width or a wear coefficient out of range.
@@ -137,7 +137,7 @@ def _starts(front: Front, positions: int) -> list[Contact | None]:
 def implicit_step(
     problem: WearProblem, front: Front, loads: CycleLoads, cycles: float, splits: int = 8
 ) -> Front:
-    """Advance by a backward Euler step over so many cycles, all positions together.
+    """Advance by a backward Euler step over a number of cycles, all positions together.
 
     Unconditionally stable. A step whose sets of touching nodes do not settle, as weak forces in the
     wear of strong ones may cause, is taken in two halves, up to ``splits`` times. Where the law

@@ -96,7 +96,7 @@ def life(
     contact: ContactModel = "finite-element",
     rows: ArrayLike | None = None,
 ) -> Life:
-    """Compute the wear of the bushing over so many crank cycles.
+    """Compute the wear of the bushing over a number of crank cycles.
 
     speed: of the crank, rad/s; technique: one of ``TECHNIQUES``; tolerance: of the depth at the
     end, as a part of it; force: a constant force along the follower, N, instead of the mechanism's;
@@ -105,7 +105,7 @@ def life(
     for half the stability limit; contact: of an elastic bushing or of a bed of springs, "winkler";
     rows: cycles to be reported, increasing, the end among them or not, None for 1, 3, 10 and so on;
     progress: called with the part done. It may raise OutOfTime: the life then ends with the last
-    row reached, or goes on raising when there is none. Raises ModelError, ContactError or
+    row reached; without one OutOfTime is raised again. Raises ModelError, ContactError or
     WornThrough naming what is wrong, UnstableStep for a step beyond the stability limit.
     """
     require_positive("cycles", cycles)

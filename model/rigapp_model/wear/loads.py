@@ -124,7 +124,7 @@ def swing(loads: CycleLoads) -> float:
 
 
 SWING_WEIGHT = 2.0
-"""A swing through an angle counts like so many times the same part of the revolution."""
+"""Weight of a swing through an angle against the same part of the revolution."""
 
 
 def _edges(loads: CycleLoads, positions: int) -> NDArray[np.int64]:

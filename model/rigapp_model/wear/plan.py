@@ -124,7 +124,7 @@ def plan_life(
 
 
 def mesh_error(nodes_in_half: Array) -> Array:
-    """Return a bound of the depth's relative error with so many nodes in half the contact.
+    """Return a bound of the depth's relative error by the number of nodes in half the contact.
 
     0.3 / q^2 (1 + 12 / q^2): found by comparing meshes, about twice the largest error met.
     """

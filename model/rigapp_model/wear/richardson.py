@@ -29,7 +29,7 @@ from rigapp_model.wear.loads import CycleLoads
 Array = NDArray[np.float64]
 LoadsAt = Callable[[Front, float], CycleLoads]
 
-# Early in a life the relative error may be so many times the tolerance; it shrinks with the root
+# Ratio of the permitted relative error to the tolerance early in a life; it shrinks with the root
 # of the cycles.
 EARLY_TOLERANCE = 5.0
 # No step is made smaller than this part of the cycles done by then.
@@ -39,13 +39,13 @@ FIRST_PART = 1.2e-3
 
 The first of the usual rows, at most a part in 900 of the life, is reached by one."""
 LARGEST_GROWTH = 5.0
-"""No step is longer than so many times the one before: a refused step costs its time."""
+"""Largest ratio of a step to the one before: a rejected step costs its time."""
 _RUNS = (1, 2, 4)  # two extrapolations need three runs
 
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """Hold the wear after so many cycles.
+    """The wear after a number of cycles.
 
     ``surface`` (2 x sectors, 2), m, extrapolated to second order; ``area`` (m^2) likewise;
     ``time_error``, ``area_error``: bounds of the depth's (m) and the area's (m^2) error by the
@@ -87,7 +87,7 @@ def integrate(
 ) -> Iterator[Moment]:
     """Yield the moment at every row, from 0 cycles on, and at what other steps the error needs.
 
-    loads_at: the loads for a front after so many cycles; rows: increasing cycles above 0;
+    loads_at: the loads for a front and its number of cycles; rows: increasing cycles above 0;
     tolerance: of the depth at the end, as a part of it; earlier up to five times as much.
     Raises ContactError, WornThrough or ModelError.
     """
@@ -99,7 +99,7 @@ def integrate(
     done, step, refused = 0.0, float(min(rows[0], FIRST_PART * rows[-1])), np.inf
     for row in rows:
         while done < row:
-            # A step that would leave a small rest goes on to the row.
+            # A step that would leave a small remainder is extended to the row.
             target = row if row - done < 1.3 * step else done + step
             after = _advance(problem, loads_at, runs, done, target)
             moment = _moment(problem, target, after, loads_at(after[-1], target))

@@ -94,7 +94,7 @@ class WearState:
         cycles: float,
         sliding: ArrayLike = 1.0,
     ) -> WearState:
-        """Advance by so many cycles like the given revolution.
+        """Advance by a number of cycles like the given revolution.
 
         force_follower: (2, n), N, on the follower by the pin in the follower frame, measured or
         predicted, at equal steps of the crank; slip: (n,), m, from each sample to the next;
@@ -105,7 +105,7 @@ class WearState:
         return self.advance_by(worn_by(self.parameters, force_follower, slip, sliding), cycles)
 
     def advance_by(self, revolution: CycleLoads, cycles: float) -> WearState:
-        """Advance by so many cycles of loads in the wear frame (see ``advance``)."""
+        """Advance by a number of cycles of loads in the wear frame (see ``advance``)."""
         loads = gathered(revolution.pressing(), POSITIONS).pressing()
         if not loads.slip.size:
             return replace(self, cycles=self.cycles + cycles, mean_force=0.0, peak_pressure=0.0)
@@ -162,7 +162,7 @@ def restored_state(
 ) -> WearState:
     """Return the state with a worn surface as ``state.front.surface`` had it, (nodes, 2), m.
 
-    cycles, step_error: those of the state. Advancing goes on as it would have. Raises ModelError
+    cycles, step_error: those of the state. Advancing continues as it would have. Raises ModelError
     for a surface that is not one of this bushing.
     """
     nodes = np.ascontiguousarray(surface, dtype=np.float64)

@@ -139,8 +139,7 @@ class StopSequence:
     repeated while the crank moves. Where it stays without effect, or is not accepted, nothing is
     sent for a while (``quiet``): what the drive receives feeds its watchdog, and only the watchdog
     can then stop it. The same applies where only the drive reports a standstill: it may err.
-    This goes on after the stop was given up, and begins again when a stationary crank begins to
-    turn.
+    This continues after the stop was given up, and restarts when a stationary crank begins to turn.
 
     off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
     watchdog_s: the drive's watchdog time.
@@ -224,7 +223,8 @@ class StopSequence:
     def step(self, seen: StandstillEvidence) -> DriveStep:
         """Return what to do now.
 
-        STANDING comes once for each standstill; NO_EFFECT and GIVE_UP once, and the stop goes on.
+        STANDING is returned once for each standstill; NO_EFFECT and GIVE_UP once, while the stop
+        continues.
         """
         if self.done and not self._moves_again(seen):
             return DriveStep.WAIT

@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 NO_DATA_REVOLUTIONS = 200  # some minutes at usual speeds: a sensor that fails, not a hiccup
 RATE_BINS = 50
-"""The wear rate is the slope through the means of so many equal parts of the window."""
+"""Number of equal parts of the window; the wear rate is the slope through their means."""
 
 LEAST_BINS = 3
 """The scatter of a slope through fewer means cannot be seen."""
@@ -95,7 +95,7 @@ class _Rate:
 
 
 class _Watched:
-    """A criterion that is set: its level, to be reached in so many judged revolutions in a row."""
+    """A criterion in use: its level, and how many evaluated revolutions in a row must meet it."""
 
     def __init__(self, criterion: Criterion, level: float, stop: StopSection) -> None:
         self.criterion = criterion

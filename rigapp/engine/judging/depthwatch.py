@@ -23,7 +23,7 @@ STAYS = 3
 """Revolutions in a row until a depth counts as another one: one may be a chip or a knock."""
 
 MODEL_FACTOR = 10.0
-"""A joint may wear so many times faster than the model says: its coefficient is uncertain."""
+"""Largest plausible ratio of measured to predicted wear: the coefficient is uncertain."""
 
 DEPTH_COLUMNS = tuple(sorted({name for rule in CRITERIA.values() for name in rule.of_depth}))
 """Columns of a prediction that follow from the measured depth."""

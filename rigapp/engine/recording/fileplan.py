@@ -13,7 +13,7 @@ from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, profile_rows
 
 SLOWER = 1.05
-"""A revolution may have so many times the samples of one at the set speed."""
+"""Largest ratio of samples of a revolution to those of one at the set speed."""
 
 STAND_S = 3.0
 """Time of standstill that an unfinished revolution may hold, and somewhat more."""

@@ -77,10 +77,10 @@ RING_BYTES = 64 << 20
 
 FEWEST_BURSTS, MOST_BURSTS = 10, 100
 REVOLUTIONS_A_BURST = 2000
-"""Room is reserved for a burst for each so many revolutions, within the two bounds above."""
+"""Revolutions for which space for one burst is reserved, within the two bounds above."""
 
 CRITICAL_BURSTS = 3
-"""Of these, so many are for critical alarms only."""
+"""Bursts reserved for critical alarms."""
 
 
 class RetentionReason(enum.StrEnum):
@@ -104,7 +104,7 @@ def triggered_cycles(section: CyclesSection, revolutions: int) -> int:
 
 
 def waiting_cycles(section: CyclesSection, revolutions: int, cycle_bytes: int) -> int:
-    """Return the cycles of so many bytes that wait in memory, and beside it in the file."""
+    """Return how many cycles of ``cycle_bytes`` are held in memory, and beside it in the file."""
     if not (_burst(section) or Schedule(section, revolutions).any):
         return 0
     return min(section.before_alarm + 1, max(1, RING_BYTES // cycle_bytes))

@@ -232,7 +232,7 @@ class Recorder:
             self._store.place()
 
     def commit(self) -> int:
-        """Make everything safe; return the safe rows. Appending goes on meanwhile."""
+        """Flush to disk; return the number of saved rows. Rows may be appended meanwhile."""
         if not self._closed:
             self.committed = self._store.commit()
         return self.committed

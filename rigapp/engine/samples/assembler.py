@@ -302,7 +302,7 @@ class Assembler:
     def unfinished(self) -> Revolution | None:
         """Return the revolution under way as far as it has come, flagged PARTIAL; None before any.
 
-        The revolution goes on; call this from the thread that calls ``push``, or while that waits.
+        It continues; call this from the thread that calls ``push``, or while that waits.
         """
         end = self._origin + self._fill
         if self._begin is None or self._begin[0] >= end:

@@ -11,7 +11,7 @@ STANDING_COUNTS = 2
 """A crank whose count moves no more than this is stationary: an edge of the encoder may dither."""
 
 ENOUGH_COUNTS = 64
-"""A speed from so many counts is quantised to 1.6 % at most."""
+"""Counts from which a speed is quantised to 1.6 % at most."""
 
 BLOCKS_KEPT = 4096
 """Of the smallest blocks, more than LONGEST_S and the longest time of a standstill check."""
@@ -116,7 +116,7 @@ class MotionWindow:
         return 60.0 * turned * self._rate / (last.sample - first.sample)
 
     def counts_in(self, samples: float, window_s: float) -> float:
-        """Return the counts that so many samples take at the mean speed of the last window_s."""
+        """Return the counts during a number of samples at the mean speed of the last window_s."""
         return abs(self.speed_rpm(window_s)) / 60.0 * self._turn * samples / self._rate
 
     def standing(self, window_s: float) -> bool:

@@ -64,7 +64,7 @@ def averages(readings: Iterable[Reading], begin_s: float, end_s: float) -> dict[
 
 
 def reading_of(value: float, host_s: float, before: Reading | None) -> Reading:
-    """Return the reading of an answer; one that is no number is none, and the age goes on."""
+    """Return the reading of an answer; without a number it is None, and the age keeps growing."""
     if math.isfinite(value):
         return Reading(value, host_s)
     return Reading(math.nan, before.host_s if before is not None else host_s)

@@ -45,7 +45,7 @@ _PAUSED = int(Flag.PAUSED)
 _SENSOR_FAULT = int(Flag.SENSOR_FAULT)
 
 LARGEST_GAP_REVOLUTIONS = 25
-"""Beyond so many revolutions the number of those lost in a gap is not certain.
+"""Longest gap for which the number of lost revolutions is certain.
 
 A speed that is wrong by 2 % misses half a revolution in 25.
 """
@@ -54,23 +54,23 @@ DITHER = 2
 NUDGE = 4
 """Counts by which a stationary crank may shake: twice the dither. More is turning back."""
 ACCELERATES = 8
-"""A step may differ from the last by one part in so many, beside the encoder's tolerance.
+"""Reciprocal of the largest relative change between steps, in addition to the tolerance.
 
 An eighth within one sample is more than any drive does.
 """
 INDEX_STEADY = 50
-"""The count at the index may be off by one part in so many of a step: a drive's ripple of 2 %."""
+"""Reciprocal of the relative error of the count at the index: a drive's ripple of 2 %."""
 INDEX_NEAR = 8
-"""The index is searched within one part in so many of a turn of where the count expects it.
+"""Reciprocal of the search range, in turns, for the index around its expected count.
 
 Half a turn off it could be either index; within an eighth it is plain which one it is.
 """
 STEP_MOST = 4
-"""A step is below one part in so many of a turn: a longer one could as well be one backwards."""
+"""Reciprocal of the largest step, in turns: a longer one could as well be one backwards."""
 STEPS_OF_MEAN = 64
 """Steps over which the speed before a gap is averaged: it is then known to 1/64 of the dither."""
 WHOLE_WITHIN = 100
-"""An end of a revolution that is missed by more than one part in so many makes it partial.
+"""Reciprocal of the part of a turn by which the end may be missed; else it is partial.
 
 1 % of a turn is 3.6 degrees, within which forces of the mechanism change by some per cent.
 """
@@ -190,7 +190,7 @@ def _pass_index(
 
 @njit("int64(int64, int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Counts) -> int:
-    """Judge an odd step: a wrong reading is bridged, a jump that goes on is motion.
+    """Classify an implausible step: a wrong reading is bridged, a lasting jump is motion.
 
     Returns the counts that the crank is taken to have moved.
     """

@@ -87,8 +87,8 @@ def linearised_forces(force: Array, b: Array) -> Array:
 def follow(x: Array, n: int, table: Array) -> None:
     """Replace signals x[:n] by the values of a table (2, points); without points, do nothing.
 
-    Beyond an end the line of the first, or last, two points goes on: a signal outside of what was
-    calibrated gets the extrapolated value, not that of the table's end.
+    Beyond an end the line through the first, or last, two points is extended: a signal outside of
+    the calibrated range gets the extrapolated value, not that of the table's end.
     """
     points = table.shape[1]
     if points < 2:
