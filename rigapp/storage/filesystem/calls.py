@@ -1,4 +1,4 @@
-"""The calls of the system that a test file needs beyond open and close."""
+"""The system calls that a test file needs beyond open and close."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class FileSystem(Protocol):
     """
 
     def write_at(self, fd: int, parts: Sequence[Bytes], offset: int) -> int:
-        """Write parts one after the other from an offset on; return the number of bytes written."""
+        """Write parts one after the other from an offset; return the number of bytes written."""
 
     def read_at(self, fd: int, length: int, offset: int) -> bytes:
         """Return the bytes at an offset, fewer at the end of the file."""
@@ -34,7 +34,7 @@ class FileSystem(Protocol):
         """Reserve disk space for a range; its content stays."""
 
     def give_back(self, fd: int, offset: int, length: int) -> bool:
-        """Let a range read as zeros and take no space; False where nothing was done."""
+        """Deallocate a range, which then reads as zeros; False where nothing was done."""
 
     def forget(self, fd: int, offset: int, length: int) -> None:
         """Release synced pages in memory, where the system can."""
@@ -46,19 +46,19 @@ class FileSystem(Protocol):
         """Yield start and end of the ranges with data; the whole file where that is unknown."""
 
     def link(self, fd: int, path: Path) -> None:
-        """Give an open file that has a name another one."""
+        """Add a second name (hard link) to an open file."""
 
     def protect(self, fd: int) -> None:
-        """Make a file read-only for everybody, where the file system knows modes."""
+        """Make a file read-only for everybody, where the file system supports modes."""
 
     def settle(self, fd: int, hidden: Path, path: Path) -> None:
-        """Give an open file its name, never over an existing one; its descriptor stays."""
+        """Rename an open file, never over an existing one; its descriptor stays valid."""
 
     def exchange(self, fd: int, ready: Path, path: Path) -> None:
-        """Put a closed file into the place of an open one, whose descriptor then is invalid."""
+        """Replace an open file by a closed one; the descriptor of the open one becomes invalid."""
 
     def sync_folder(self, folder: Path) -> None:
-        """Return when the folder's names are on the disk."""
+        """Return when the folder's entries are on the disk."""
 
     def hold(self, fd: int) -> bool:
         """Mark an open file as being written by this process; False when another one does."""
@@ -74,8 +74,8 @@ class FileSystem(Protocol):
 
 
 class StorageFailed(SentenceError):
-    """The sentence says which file can no longer be written, and why; the test must end."""
+    """Raised when a file can no longer be written, with its path and the reason; ends the test."""
 
 
 class DiskFull(StorageFailed):
-    """The sentence says which part of the file is full."""
+    """Raised when a part of the file, named in the sentence, is full."""

@@ -1,4 +1,4 @@
-"""The only writer of a running test's file: bytes at offsets, and making them safe."""
+"""The only writer of a running test's file: write bytes at offsets and sync them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rigapp.storage.filesystem.system import FILES
 from rigapp.texts import say
 
 PAGE = 1 << 16
-"""Granularity in which writes are noted while the file is being copied."""
+"""Granularity of the record of writes while the file is being copied, bytes."""
 
 
 class Disk:
@@ -71,7 +71,7 @@ class Disk:
             FILES.reserve(self.fd, offset, length)
 
     def give_back(self, offset: int, length: int) -> None:
-        """Give the disk space of a range back; it reads as zeros then, the file's length stays.
+        """Deallocate the disk space of a range; it then reads as zeros, the file's length stays.
 
         A file system that cannot do so keeps the space. Raises StorageFailed after a failure.
         """
@@ -85,18 +85,18 @@ class Disk:
         FILES.forget(self.fd, offset, length)
 
     def begin_copy(self) -> None:
-        """Note the written ranges from now on: the file is being copied."""
+        """Start to record the written ranges: the file is being copied."""
         with self._writing:
             self._touched = set()
 
     def follow_copy(self, fd: int) -> None:
-        """Bring a copy up to what was written since ``begin_copy``, or the last call."""
+        """Copy the ranges written since ``begin_copy``, or since the last call."""
         with self._writing:
             touched, self._touched = self._touched or set(), set()
         copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
 
     def go_on_in(self, fd: int) -> None:
-        """Write to the copy from now on and close the old file. Raises OSError before that."""
+        """Write to the copy from now on and close the old file; raises OSError before that."""
         with self._writing:
             touched = self._touched or set()
             copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
@@ -104,7 +104,7 @@ class Disk:
             os.dup2(fd, self.fd, inheritable=False)
 
     def end_copy(self) -> None:
-        """Stop noting the written ranges."""
+        """Stop recording the written ranges."""
         with self._writing:
             self._touched = None
 

@@ -13,12 +13,12 @@ from rigapp.process.stale_files import find_stale, remove_left_behind
 from rigapp.texts import say, sentence_of_error
 
 SPACE_MARGIN = 32 << 20
-"""Bytes that stay free beside a file: for the log, the report and what else writes to the disk."""
+"""Bytes that stay free beside a file, for the log, the report and other programs."""
 MEGABYTE = 1e6
 
 
 def refuse_little_space(folder: Path, path: Path, needed: int, who: str = say("the test")) -> None:
-    """Refuse when the folder's disk has not ``needed`` bytes and a margin free: UnusableInput."""
+    """Raise UnusableInput when a folder's disk has less than ``needed`` bytes and a margin free."""
     free = shutil.disk_usage(folder).free
     missing = needed + SPACE_MARGIN - free
     if missing > 0:
@@ -45,7 +45,7 @@ def hidden_name(path: Path, what: str = "new") -> Path:
 
 
 def move_into_place(hidden: Path, path: Path) -> None:
-    """Give the file its name, never over an existing one."""
+    """Rename the file to ``path``, never over an existing one."""
     try:
         os.link(hidden, path)
     except FileExistsError:
@@ -59,7 +59,7 @@ def move_into_place(hidden: Path, path: Path) -> None:
 
 
 def remove_stale(folder: Path) -> None:
-    """Remove what killed processes left in a folder of results; protect what they had opened."""
+    """Remove files left by killed processes in a folder of results; protect those they had open."""
     for mark, match in find_stale(folder, r"\.(?P<name>.+)\.opened-(?P<pid>\d+)"):
         left = folder / match["name"]
         with contextlib.suppress(OSError):
@@ -70,7 +70,7 @@ def remove_stale(folder: Path) -> None:
 
 
 def short_reason(error: Exception) -> str:
-    """Return the operating system's words out of HDF5's long message, or its first line."""
+    """Return the operating system's message from HDF5's long one, or its first line."""
     text = sentence_of_error(error)
     _, result, rest = text.partition("error message = '")
     return rest.partition("'")[0] if result else text.partition("\n")[0]

@@ -1,7 +1,7 @@
-"""A test file by the functions of every system: no holes, no locks of the kernel.
+"""Files through the functions that every system has: no holes, no locks of the kernel.
 
-Where a range is reserved the file only becomes longer, which takes the space on NTFS. Who writes a
-file is known by the process that it names, if that lives and began before the file's last change.
+Reserving a range only extends the file, which allocates the space on NTFS. The writer of a file is
+the process that it names, if that is running and began before the file's last change.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class PortableFiles:
     """See ``FileSystem``."""
 
     def __init__(self) -> None:
-        # A descriptor has one position, which all threads share.
+        # All threads share the one position of a descriptor.
         self._placing = threading.Lock()
         self._held: set[tuple[int, int]] = set()
 
@@ -53,35 +53,35 @@ class PortableFiles:
         os.fsync(fd)
 
     def reserve(self, fd: int, offset: int, length: int) -> None:
-        """Make the file as long as it takes."""
+        """Extend the file to the end of the range."""
         if os.fstat(fd).st_size < offset + length:
             os.ftruncate(fd, offset + length)
 
     def give_back(self, fd: int, offset: int, length: int) -> bool:
-        """Keep the space."""
+        """Do nothing: the space stays allocated."""
         return False
 
     def forget(self, fd: int, offset: int, length: int) -> None:
-        """Leave the memory to the system."""
+        """Do nothing."""
 
     def taken_bytes(self, fd: int) -> int:
-        """Return its length."""
+        """Return the file's length."""
         return os.fstat(fd).st_size
 
     def data_ranges(self, fd: int, size: int) -> Iterator[tuple[int, int]]:
-        """Yield all of it."""
+        """Yield the whole file."""
         if size:
             yield 0, size
 
     def link(self, fd: int, path: Path) -> None:
-        """Refuse: an open file is not known by a name."""
+        """Raise OSError: an open file cannot be linked."""
         raise OSError(errno.ENOTSUP, say("an open file can get no second name here"), str(path))
 
     def protect(self, fd: int) -> None:
-        """Leave it as it is."""
+        """Do nothing."""
 
     def settle(self, fd: int, hidden: Path, path: Path) -> None:
-        """Close it for the moment, since some systems move no open file."""
+        """Close the file temporarily, since some systems cannot move an open file."""
         if os.path.lexists(path):
             raise FileExistsError(errno.EEXIST, say("file exists"), str(path))
         _close_for_now(fd)
@@ -93,16 +93,16 @@ class PortableFiles:
             os.close(again)
 
     def exchange(self, fd: int, ready: Path, path: Path) -> None:
-        """Close the old one before, since some systems replace no open file."""
+        """Close the old file first, since some systems cannot replace an open file."""
         self.release(fd)
         _close_for_now(fd)
         os.replace(ready, path)
 
     def sync_folder(self, folder: Path) -> None:
-        """Leave it to the system, which orders names by itself."""
+        """Do nothing: the system orders names by itself."""
 
     def hold(self, fd: int) -> bool:
-        """Note that this process writes it; ``is_taken`` finds others."""
+        """Record that this process writes the file; ``is_taken`` finds others."""
         key = _key(os.fstat(fd))
         if key in self._held:
             return False
@@ -110,15 +110,15 @@ class PortableFiles:
         return True
 
     def release(self, fd: int) -> None:
-        """Remove the note."""
+        """Remove the record."""
         self._held.discard(_key(os.fstat(fd)))
 
     def is_held(self, path: Path, named: str) -> bool:
-        """Return whether this process writes it, or the named one that runs and is old enough."""
+        """Return whether this process writes it, or the named one is running and old enough."""
         return _key(path.stat()) in self._held or self.is_taken(path, named)
 
     def is_taken(self, path: Path, named: str) -> bool:
-        """Return whether the named process is another one that runs and is old enough."""
+        """Return whether the named process is another one that is running and old enough."""
         match = _NAMED.fullmatch(named)
         if match is None or match[2] != socket.gethostname() or int(match[1]) == os.getpid():
             return False
@@ -135,7 +135,7 @@ class PortableFiles:
 
 
 def _close_for_now(fd: int) -> None:
-    """Close a file; its descriptor stays taken, by nothing."""
+    """Close a file but keep its descriptor number occupied."""
     with open(os.devnull, "r+b", buffering=0) as aside:
         os.dup2(aside.fileno(), fd, inheritable=False)
 

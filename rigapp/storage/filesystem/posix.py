@@ -1,10 +1,10 @@
-"""A test file on Linux and macOS: positioned writes, reserved space, holes, locks of the kernel.
+"""Files on Linux and macOS: positioned writes, reserved space, holes, locks of the kernel.
 
-Two locks are held by a writer. A byte-range lock of the open file description, far beyond the data,
-marks the file as being written and keeps a second writer out. A shared ``flock`` makes HDF5 refuse
+A writer holds two locks. A byte-range lock of the open file description, far beyond the data, marks
+the file as being written and keeps a second writer out. A shared ``flock`` makes HDF5 refuse
 to open the file for writing (it needs an exclusive one), while readers (shared) pass. The kernel
-drops both when the writer dies. Where the file system has no locks, or a process with read access
-holds one, the process that the file names decides instead, as in ``portable``.
+releases both when the writer ends. Where the file system has no locks, or a process with read
+access holds one, the process that the file names is checked instead, as in ``portable``.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ PUNCH_HOLE = 2
 
 
 def punch_hole(fd: int, offset: int, length: int) -> bool:
-    """Let a range of an open file read as zeros and take no space; False where nothing was done."""
+    """Deallocate a range of an open file, which then reads as zeros; False if nothing was done."""
     call = _fallocate()
     return call is not None and call(fd, KEEP_SIZE | PUNCH_HOLE, offset, length) == 0
 
@@ -53,9 +53,9 @@ LOCK_OFFSET = 1 << 62  # beyond any data
 BLOCK = 512  # bytes of the unit in which the system counts a file's space
 _FLOCK = "hhqqi0q"
 _MOST_PARTS = 1024
-"""Buffers that Linux and macOS take in one call (IOV_MAX)."""
+"""Maximum number of buffers in one call on Linux and macOS (IOV_MAX)."""
 _OFD = sys.platform == "linux" and hasattr(fcntl, "F_OFD_SETLK")
-_ENOTSUPP = 524  # Linux's own, which NFS and FUSE let through
+_ENOTSUPP = 524  # internal to Linux, but NFS and FUSE return it
 _NO_LOCKS = (errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS, _ENOTSUPP)
 _NO_ROOM_CALL = (errno.EOPNOTSUPP, errno.ENOSYS, errno.EINVAL)
 
@@ -77,14 +77,14 @@ class PosixFiles:
         return os.pread(fd, length, offset)
 
     def sync(self, fd: int) -> None:
-        """Sync the data; on macOS through the disk's own memory too."""
+        """Sync the data; on macOS flush the disk's own cache too."""
         if sys.platform == "darwin":
             fcntl.fcntl(fd, fcntl.F_FULLFSYNC)
         else:
             os.fdatasync(fd)
 
     def reserve(self, fd: int, offset: int, length: int) -> None:
-        """Allocate blocks where the file system can, else make the file longer."""
+        """Allocate blocks where the file system can, else extend the file."""
         if sys.platform == "darwin":
             if os.fstat(fd).st_size < offset + length:
                 os.ftruncate(fd, offset + length)
@@ -100,17 +100,17 @@ class PosixFiles:
         return punch_hole(fd, offset, length)
 
     def forget(self, fd: int, offset: int, length: int) -> None:
-        """Advise the kernel."""
+        """Advise the kernel to drop the pages."""
         if sys.platform == "linux":
             with contextlib.suppress(OSError):
                 os.posix_fadvise(fd, offset, length, os.POSIX_FADV_DONTNEED)
 
     def taken_bytes(self, fd: int) -> int:
-        """Return its blocks' bytes; holes take none."""
+        """Return the bytes of the allocated blocks; holes have none."""
         return os.fstat(fd).st_blocks * BLOCK
 
     def data_ranges(self, fd: int, size: int) -> Iterator[tuple[int, int]]:
-        """Ask the file system for data and holes."""
+        """Query the file system for data and holes."""
         stop = 0
         while stop < size:
             try:
@@ -123,10 +123,10 @@ class PosixFiles:
             yield start, stop
 
     def link(self, fd: int, path: Path) -> None:
-        """Link by the name that the kernel keeps of an open file (Linux)."""
+        """Link through the kernel's entry for the open file in /proc (Linux)."""
         folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
         try:
-            # Only with a folder's descriptor Python lets the kernel follow the link in /proc.
+            # Python lets the kernel follow the link in /proc only with a folder's descriptor.
             os.link(f"/proc/self/fd/{fd}", path.name, src_dir_fd=folder, dst_dir_fd=folder)
             os.fsync(folder)
         finally:
@@ -138,7 +138,7 @@ class PosixFiles:
             os.fchmod(fd, 0o444)
 
     def settle(self, fd: int, hidden: Path, path: Path) -> None:
-        """Move it while it is open."""
+        """Move the file while it is open."""
         move_into_place(hidden, path)
 
     def exchange(self, fd: int, ready: Path, path: Path) -> None:
@@ -146,7 +146,7 @@ class PosixFiles:
         os.replace(ready, path)
 
     def sync_folder(self, folder: Path) -> None:
-        """Sync the folder itself, where it can be."""
+        """Sync the folder itself, where that is possible."""
         fd = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
         try:
             os.fsync(fd)
@@ -157,7 +157,7 @@ class PosixFiles:
             os.close(fd)
 
     def hold(self, fd: int) -> bool:
-        """Take both locks; by the name in the file where there can be none."""
+        """Acquire both locks; without locks, rely on the process named in the file."""
         try:
             if _OFD:
                 fcntl.fcntl(fd, fcntl.F_OFD_SETLK, _record(fcntl.F_WRLCK))
@@ -176,7 +176,7 @@ class PosixFiles:
         return True
 
     def release(self, fd: int) -> None:
-        """Leave it to the kernel, which drops the locks when the file is closed."""
+        """Do nothing: the kernel releases the locks when the file is closed."""
         self._by_name.release(fd)
 
     def is_held(self, path: Path, named: str) -> bool:
@@ -191,7 +191,7 @@ class PosixFiles:
         return self._by_name.is_held(path, named)
 
     def is_taken(self, path: Path, named: str) -> bool:
-        """Trust the locks where there are any."""
+        """Rely on the locks where there are any."""
         fd = os.open(path, os.O_RDONLY)
         try:
             kind = _lock_of(fd)
@@ -202,7 +202,7 @@ class PosixFiles:
 
 
 def _lock_of(fd: int) -> int | None:
-    """Return the kind of another one's lock on an open file, None where there are no locks."""
+    """Return the kind of another process's lock on a file, None where locks are unsupported."""
     try:
         if _OFD:
             answer = fcntl.fcntl(fd, fcntl.F_OFD_GETLK, _record(fcntl.F_WRLCK))

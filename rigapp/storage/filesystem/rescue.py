@@ -1,8 +1,8 @@
 """Recovery of a file that is deleted, moved or replaced while it is written.
 
 The kernel keeps an open file as long as it is open, whatever happens to its name. A file that still
-has a name somewhere gets its own name back, as a second link. A file without any name cannot get a
-link on Linux; it is copied while writing goes on.
+has a name gets its original name back as a second link. A file without any name cannot be linked on
+Linux; it is copied while writing continues.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rigapp.storage.filesystem.folder import (
 from rigapp.storage.filesystem.system import FILES
 from rigapp.texts import joined, say, sentence_of_error
 
-PIECE = 1 << 22  # a copy pauses for the test every 4 MB, some 20 ms of a disk
+PIECE = 1 << 22  # a copy yields to the test every 4 MB, about 20 ms on a disk
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class PathState:
     where: str = ""
 
     def sentence(self, path: Path) -> str:
-        """Return what happened in words."""
+        """Return a description of what happened."""
         if self.named:
             where = say(" to {}", self.where) if self.where else ""
             words = say("{} was moved{} while the test writes it", path, where)
@@ -70,7 +70,7 @@ def path_state(fd: int, path: Path) -> PathState | None:
 
 
 def _name_of(fd: int) -> str:
-    """Return the name of an open file; empty when it is not the one by which it was opened."""
+    """Return the kernel's name of an open file; empty where it is unknown or deleted."""
     try:
         name = os.readlink(f"/proc/self/fd/{fd}")
     except OSError:
@@ -79,14 +79,14 @@ def _name_of(fd: int) -> str:
 
 
 def places_for(path: Path, fate: PathState) -> Iterator[Path]:
-    """Yield the names under which to save a file, the best one first."""
+    """Yield candidate paths to save a file to, in order of preference."""
     yield free_name(path) if fate.replaced else path
     for folder in (Path.home(), Path(tempfile.gettempdir())):
         yield free_name(folder / path.name)
 
 
 def free_name(path: Path) -> Path:
-    """Return a name beside ``path``, or itself, that no file has."""
+    """Return ``path``, or a similar name in its folder where a file has it already."""
     if not os.path.lexists(path):
         return path
     names = (path.with_name(f"{path.stem}-saved-{number}{path.suffix}") for number in count(1))
@@ -118,11 +118,11 @@ class PathWatcher:
         self._length = os.fstat(disk.fd).st_size
 
     def look(self, notice: Callable[[str], object]) -> PathReport | None:
-        """Restore the file when it was deleted, moved or replaced; writing goes on meanwhile.
+        """Restore the file when it was deleted, moved or replaced; writing continues meanwhile.
 
         notice: called before the file is saved, which may take long. To be called while
         ``looking`` is held. Return the result, None when nothing has happened. Raises
-        StorageFailed when another program has cut the file short.
+        StorageFailed when another program has truncated the file.
         """
         disk = self._disk
         if os.fstat(disk.fd).st_size < self._length:
@@ -157,7 +157,7 @@ class PathWatcher:
         )
 
     def _save_as(self, target: Path, named: bool) -> bool:
-        """Name the file ``target``; True by a link, False by a copy. Raises OSError."""
+        """Save the file as ``target``; return True for a link, False for a copy. Raises OSError."""
         target.parent.mkdir(parents=True, exist_ok=True)
         linked = named and self._link(target)
         if not linked:
@@ -166,7 +166,7 @@ class PathWatcher:
         return linked
 
     def _link(self, target: Path) -> bool:
-        """Give the file another name; False where its file system or folder does not allow it."""
+        """Link the file to another name; False where the file system or folder forbids it."""
         try:
             FILES.link(self._disk.fd, target)
         except FileExistsError:

@@ -1,1 +1,1 @@
-"""Read test files at every instant, old ones too, and export their data."""
+"""Read test files, also running and older ones, and export their data."""

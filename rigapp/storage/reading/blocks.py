@@ -12,7 +12,7 @@ from rigapp.schema.rownumbers import RowNumbers
 from rigapp.storage.reading.streams import Columns, StreamReader
 
 BLOCK_ROWS = 1 << 18
-"""2 MB of a column: the overhead of a read is then less than the cost of its bytes."""
+"""2 MB of a column: the overhead of a read is then less than the transfer itself."""
 
 
 def blocks(
@@ -26,8 +26,8 @@ def blocks(
 ) -> Iterator[tuple[int, Columns]]:
     """Yield the first row and the columns of each block of committed rows start .. stop.
 
-    backwards: the last block first; the rows of each stay in order. What an older file does not
-    have is unknown (NaN).
+    backwards: the last block first; the rows within each stay in order. Columns that an older file
+    does not have are NaN.
     """
     rows = reader.committed(stream)
     end = rows if stop is None else min(stop, rows)
@@ -72,7 +72,7 @@ class StoredColumns(Mapping[str, NDArray[Any]]):
 def row_numbers(reader: StreamReader, stream: str = "revolutions") -> RowNumbers:
     """Return the revolution of every committed row of a stream.
 
-    Numbers rise, so that a run without a gap is known by its ends; those between are not read.
+    Numbers increase, so a run without a gap is determined by its ends; those between are not read.
     """
     result = RowNumbers()
     waiting = [(0, reader.committed(stream))]
@@ -94,9 +94,9 @@ def row_numbers(reader: StreamReader, stream: str = "revolutions") -> RowNumbers
 
 
 def rows_up_to(reader: StreamReader, revolution: float, stream: str = "revolutions") -> int:
-    """Return how many rows of a stream belong to revolutions up to this one, numbers ascending.
+    """Return the number of rows of a stream up to and including a revolution, numbers ascending.
 
-    By bisection: a handful of rows is read, not the column.
+    By bisection: only a few rows are read, not the column.
     """
     low, high = 0, reader.committed(stream)
     while low < high:
@@ -111,7 +111,7 @@ def rows_up_to(reader: StreamReader, revolution: float, stream: str = "revolutio
 def newest_known(
     reader: StreamReader, names: Sequence[str], count: int, stop: int | None = None
 ) -> dict[str, NDArray[Any]]:
-    """Return the newest ``count`` predictions of which all the columns are known, in order."""
+    """Return the newest ``count`` predictions whose columns are all finite, in order."""
     result: list[Columns] = []
     have = 0
     for _, block in blocks(reader, names, "prediction", stop=stop, backwards=True):

@@ -25,7 +25,7 @@ from rigapp.texts import joined, say
 ROWS_AT_A_TIME = 65536  # 18 MB of the columns of every rig
 SAMPLES_AT_A_TIME = 1 << 18  # 16 MB of the columns of every rig
 FORMATS = (".csv", ".parquet", ".xlsx")
-FEWEST_POINTS = 8  # fewer do not describe a revolution
+FEWEST_POINTS = 8  # fewer cannot represent a revolution
 
 Table = dict[str, NDArray[Any]]
 Progress = Callable[[int, int], None]
@@ -47,7 +47,7 @@ STEP_FIELD = _Field("step", "<i8", "1", "number of the step of the test")
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """How a CSV file writes its numbers and separates them.
+    """Decimal mark and separator of a CSV file.
 
     Raises UnusableInput where one number could be read as two.
     """
@@ -74,7 +74,7 @@ AS_EVER = Dialect()
 """Numbers with a point, separated by commas."""
 
 MOST_EXCEL_ROWS = 1_048_576 - 1
-"""Rows of a sheet of Excel, below its line of names."""
+"""Rows of an Excel sheet below its header."""
 
 
 class _Sink(Protocol):
@@ -94,17 +94,17 @@ def export_test(
 ) -> int:
     """Write a test's statistics or saved cycles to a .csv, .parquet or .xlsx file; return its rows.
 
-    steps: returns the number of the step of each revolution (n,); statistics and cycles have a
-    column of it then. points: puts the cycles on so many crank angles each, by linear
-    interpolation, without time and raw signals.
+    steps: returns the step number of each revolution (n,), exported as a further column. points:
+    number of crank angles to which each cycle is resampled by linear interpolation, without time
+    and raw signals.
 
     Columns are named as in the file with the unit at the end (``force_max_N``, ``time_s``); a cycle
     row begins with its revolution. Parquet fields carry ``units`` and ``long_name`` as well; an
     .xlsx file has a sheet of units and one of the test's settings, and date and time of each
-    revolution in UTC and as this computer's clock shows them. dialect: of a .csv file.
-    progress(done, all) is called after each piece. The target appears when it is whole. Raises
-    UnusableInput for an existing target, an unknown ending, an unusable source, more rows than a
-    sheet holds, and where the package that writes Parquet or .xlsx is not installed.
+    revolution in UTC and local time. dialect: of a .csv file. progress(done, all) is called after
+    each piece. The target appears when it is complete. Raises UnusableInput for an existing target,
+    an unknown suffix, an unusable source, more rows than a sheet holds, and where the package that
+    writes Parquet or .xlsx is not installed.
     """
     goal = Path(target)
     _refuse_target(goal)
@@ -250,7 +250,7 @@ def _sink(
 
 
 class _ParquetSink:
-    """Write tables whose fields carry units and descriptions; the file names its test."""
+    """Write tables whose fields carry units and descriptions, with the test's metadata."""
 
     def __init__(self, path: Path, fields: Sequence[_Field], about: Mapping[str, str]) -> None:
         import pyarrow.parquet
@@ -276,7 +276,7 @@ class _ParquetSink:
 
 
 class _CsvSink:
-    """Write a header of bare names and then tables, each number as short as it reads back."""
+    """Write a header of names and then tables, each number in its shortest exact form."""
 
     def __init__(self, path: Path, fields: Sequence[_Field], dialect: Dialect) -> None:
         self._file = path.open("xb")
@@ -289,7 +289,7 @@ class _CsvSink:
             mark.encode() for mark in (self._dialect.separator, self._dialect.decimal)
         )
         rows = list(zip(*map(_cells, table.values()), strict=True))
-        # A JSON encoder writes the same numbers three times as fast as a loop.
+        # A JSON encoder writes the same numbers, three times as fast as a loop.
         lines = msgspec.json.encode(rows)[2:-2].replace(b"],[", b"\n") + b"\n"
         if between != b",":
             lines = lines.replace(b",", between)
@@ -300,11 +300,11 @@ class _CsvSink:
 
 
 _PLAIN = (1e-4, 1e15)
-"""Between them a number is written without an exponent, by NumPy as by JSON."""
+"""Range of magnitudes that both NumPy and JSON write without an exponent."""
 
 
 def _cells(values: NDArray[Any]) -> list[Any]:
-    """Return what is encoded of a column: numbers, or texts where JSON writes others."""
+    """Return a column's values for the encoder: numbers, or texts where JSON would differ."""
     if values.dtype.kind in "iu":
         return values.tolist()
     if values.dtype == np.float64:
@@ -320,7 +320,7 @@ class _ExcelSink:
     def __init__(self, path: Path, fields: Sequence[_Field], about: Mapping[str, str]) -> None:
         import xlsxwriter
 
-        # A cell is data, whatever it begins with: no formula or link may run.
+        # Every cell is plain data: a text must not act as a formula or link.
         options = {
             "constant_memory": True, "strings_to_formulas": False, "strings_to_urls": False,
             "nan_inf_to_errors": False,
@@ -367,7 +367,7 @@ class _ExcelSink:
 
 
 LONGEST_CELL = 32_767
-"""Characters of a cell of Excel."""
+"""Maximum number of characters in an Excel cell."""
 
 CLOCK_FIELDS = (
     _Field("date_time_UTC", "object", "1", "when the revolution ended, UTC"),
@@ -376,7 +376,7 @@ CLOCK_FIELDS = (
 
 
 def _with_clock(pieces: Iterator[Table]) -> Iterator[Table]:
-    """Add date and time of each revolution, to a thousandth of a second, UTC and local."""
+    """Add date and time of each revolution in UTC and local time, to the millisecond."""
     for piece in pieces:
         moments = [
             datetime.fromtimestamp(time, UTC) if math.isfinite(time) else None
@@ -391,7 +391,7 @@ def _with_clock(pieces: Iterator[Table]) -> Iterator[Table]:
 
 
 def _settings(reader: TestReader) -> dict[str, str]:
-    """Return the settings of the rig and test files, a line of the sheet each."""
+    """Return the settings of the rig and test files by name, one row of the sheet each."""
     result: dict[str, str] = {}
     for name, text in reader.configuration().items():
         for number, line in enumerate(str(text).splitlines(), 1):
@@ -411,7 +411,7 @@ def _refuse_target(goal: Path) -> None:
 
 @contextlib.contextmanager
 def _finished_file(hidden: Path, goal: Path) -> Iterator[None]:
-    """Give the hidden file its name when the block ends well, else remove it."""
+    """Rename the hidden file to its final name when the block succeeds, else remove it."""
     try:
         yield
         move_into_place(hidden, goal)

@@ -44,7 +44,7 @@ from rigapp.texts import say, sentence_of_error
 
 @dataclass(frozen=True, slots=True)
 class StoredCycle:
-    """One cycle: its revolution and one array of samples a column.
+    """One cycle: its revolution and one array of samples for each column.
 
     why: scheduled, last, before, trigger or after; empty for an unfinished revolution. quality:
     flags as in the revolution's row, 0 where the file has none. table: the channels of the
@@ -69,8 +69,8 @@ class StoredCycle:
 def open_test(path: str | os.PathLike[str]) -> TestReader:
     """Open a test file for reading; a running test is not disturbed.
 
-    Raises UnusableInput with one sentence for what is missing, not HDF5, not a test, damaged or
-    from a newer version.
+    Raises UnusableInput for a file that is missing, not HDF5, not a test, damaged or from a newer
+    version.
     """
     target = Path(path)
     return TestReader(target, _opened(target))
@@ -80,7 +80,7 @@ class TestReader(StreamReader):
     """Read one test file; only committed rows count as data."""
 
     def summary(self) -> dict[str, Any]:
-        """Return the summary that ``rigapp info`` shows; its keys are a promise to users."""
+        """Return the summary that ``rigapp info`` shows; its keys are public and stable."""
         revolutions = self.committed()
         first, last = self._first_and_last(revolutions)
         status, reason = self._status(revolutions)
@@ -97,7 +97,7 @@ class TestReader(StreamReader):
         }
 
     def _first_and_last(self, rows: int) -> tuple[int | None, int | None]:
-        """Return the numbers of the first and the last of so many revolutions."""
+        """Return the numbers of the first and the last of the first ``rows`` revolutions."""
         if not rows:
             return None, None
         first, last = (int(self.column("revolution", row, row + 1)[0]) for row in (0, rows - 1))
@@ -117,11 +117,11 @@ class TestReader(StreamReader):
         return rows > 0 and int(self.column("revolution", rows - 1)[0]) >= planned
 
     def reason_code(self) -> str:
-        """Return why the test ended as a code, empty while it has not."""
+        """Return the code of the reason why the test ended, empty while it is running."""
         return self._state_text("reason_code")
 
     def metadata(self) -> dict[str, Any]:
-        """Return title, people, specimen, times and numbers that head a report."""
+        """Return title, people, specimen, times and numbers for the head of a report."""
         names = {
             "title": "/entry/title",
             "operator": "/entry/user/name",
@@ -142,11 +142,11 @@ class TestReader(StreamReader):
         return result
 
     def rows(self, first: int = 0) -> Columns:
-        """Return the committed rows from row ``first`` on, one array a column."""
+        """Return the committed rows from row ``first``, one array for each column."""
         return self._table("revolutions", first)
 
     def cycle_revolutions(self) -> NDArray[np.int64]:
-        """Return the numbers of the revolutions whose whole cycle is saved."""
+        """Return the numbers of the revolutions with a saved cycle."""
         return self.column("revolution", stream="cycles")
 
     def cycle_reasons(self) -> list[str]:
@@ -176,7 +176,7 @@ class TestReader(StreamReader):
         yield from self._ragged("cycles", 0, self.committed("cycles"))
 
     def unfinished(self) -> list[StoredCycle]:
-        """Return the revolutions that an end of the test cut off, in order; each is a part."""
+        """Return the partial revolutions at the ends of the test's runs, in order."""
         if "unfinished" not in self._streams:
             return []
         return list(self._ragged("unfinished", 0, self.committed("unfinished")))
@@ -204,7 +204,7 @@ class TestReader(StreamReader):
             )
 
     def predictions(self, first: int = 0) -> Columns:
-        """Return the committed rows of the twin's stream, one array a column."""
+        """Return the committed rows of the twin's stream, one array for each column."""
         return self._table("prediction", first)
 
     def curve_revolutions(self) -> NDArray[np.int64]:
@@ -224,9 +224,9 @@ class TestReader(StreamReader):
         return {"angle": self.angles(), **curves}
 
     def profiles(self) -> Columns:
-        """Return the committed worn profiles: ``angle`` (deg) and one array a column.
+        """Return the committed worn profiles: ``angle`` (deg) and one array for each column.
 
-        Curves (profiles, angles) in mm, NaN where nothing is known; empty for files without.
+        Curves (profiles, angles) in mm, NaN where unknown; empty for files without profiles.
         """
         angle = np.asarray(PROFILE_ANGLES_DEG, dtype=np.float64)
         fields = self._profile_fields()
@@ -241,7 +241,7 @@ class TestReader(StreamReader):
         return {field.name.removeprefix("profile_"): field for field in stream.fields}
 
     def checkpoint(self) -> bytes:
-        """Return the newest checkpoint of the twin at or before the last safe row, else nothing."""
+        """Return the newest checkpoint of the twin up to the last committed row, else empty."""
         if "checkpoints" not in self._streams:
             return b""
         revolutions = self.committed()
@@ -260,12 +260,12 @@ class TestReader(StreamReader):
         return result
 
     def events(self) -> list[Event]:
-        """Return the committed events in order, those of older files as newer ones have them."""
+        """Return the committed events in order, those of older files in the present form."""
         result = events_of(self._table("events", 0))
         return result if self.plan.event_details else translated(result)
 
     def first_altered_event(self) -> int | None:
-        """Return the first row of the log whose digest does not hold, None when all do."""
+        """Return the first row of the log whose digest does not match, None when all do."""
         return first_broken_link(
             self._table("events", 0), self._text("/entry/entry_identifier_uuid")
         )
@@ -284,16 +284,16 @@ class TestReader(StreamReader):
         return self._below(CALIBRATION)
 
     def settings_confirmed(self) -> bool:
-        """Return whether everything that was fixed before the first row is unchanged."""
+        """Return whether the data fixed before the first row are unchanged."""
         return self.settings_digest() == self._state_text(CONFIGURATION_DIGEST)
 
     def settings_digest(self) -> str:
-        """Return the digest, in hexadecimal, of all that is fixed before the first row."""
+        """Return the hexadecimal digest of the data fixed before the first row."""
         with telling_damage(self.path, CONFIGURATION):
             return settings_digest(self._file, self.plan).decode()
 
     def ending(self) -> list[str]:
-        """Return the texts of how the test began, went and ended, as they are stored."""
+        """Return the stored texts about start, course and end of the test."""
         return [
             *(self._text(f"{STATE}/{name}") for name in STATE_FIELDS),
             self._text(START_TIME),
@@ -336,7 +336,7 @@ class TestReader(StreamReader):
         )
 
     def writer(self) -> str:
-        """Return the process that writes or wrote the file, ``process N on HOST`` while it does."""
+        """Return the process that writes or wrote the file; ``process N on HOST`` while it does."""
         return self._state_text("writer")
 
 

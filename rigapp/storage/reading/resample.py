@@ -1,18 +1,17 @@
 """Put a cycle on a uniform grid of crank angles, so that cycles can be compared point by point.
 
-The samples in the file stay unchanged; this makes a copy. Angles are those of
-the file, corrected by each channel's latency, so that nothing needs to be shifted here.
+The samples in the file stay unchanged; this makes a copy. Angles are those of the file, already
+corrected for each channel's latency.
 
-linear: between the two neighbouring samples. It can neither overshoot nor invent a peak, and needs
-no assumption; with fewer points than samples it does not show what lies between two of them,
-noise included, which then looks like a slow wave (aliasing). band-limited: harmonics of the
+linear: between the two neighbouring samples. It neither overshoots nor adds a peak, and needs no
+assumption; with fewer points than samples it is subject to aliasing. band-limited: harmonics of the
 revolution up to half the points and no others, by linear interpolation to a grid of four times as
-many points as samples or more, and a Fourier transform. It averages what the grid cannot show, and
-is the one for spectra and differences; at a step it rings.
+many points as samples or more, and a Fourier transform. It removes what the grid cannot resolve,
+and suits spectra and differences; at a step it rings.
 
-A cycle is taken as periodic: the last sample's neighbour is the first. Samples at the same angle (a
-standstill, a crank that turned back) are averaged. Over a gap nothing is interpolated: its points
-are not a number (linear), or the cycle is refused (band-limited).
+A cycle is treated as periodic: the last sample's neighbour is the first. Samples at the same angle
+(standstill, reversal) are averaged. Gaps are not interpolated: their points are NaN (linear), or
+the cycle is refused (band-limited).
 """
 
 from __future__ import annotations
@@ -31,16 +30,16 @@ Array = NDArray[np.float64]
 Method = Literal["linear", "band-limited"]
 
 SMALLEST_GAP_DEG = 3.0
-"""Samples closer than this have no gap between them ..."""
+"""Minimum distance of two samples with a gap between them ..."""
 
 GAP_SPACINGS = 10.0
-"""... nor those closer than so many times their usual distance."""
+"""... and as a multiple of their usual distance."""
 
-OVERSAMPLED = 4  # the kinks of the lines between samples fold back 16 times weaker
+OVERSAMPLED = 4  # aliases of the kinks between samples become 16 times weaker
 
 
 def grid_deg(points: int) -> Array:
-    """Return the crank angles 0 .. 360 (without) of a grid; raise ValueError for fewer than 2."""
+    """Return the crank angles of a grid in [0, 360); raises ValueError for fewer than 2 points."""
     if points < 2:
         raise ValueError(say("a grid needs 2 points at least, not {}", points))
     return np.asarray(np.arange(points) * (360.0 / points), np.float64)
@@ -68,7 +67,7 @@ def on_grid(
 def resample_channels(
     columns: Mapping[str, ArrayLike], table: ChannelTable, points: int, method: Method
 ) -> dict[str, Array]:
-    """Return the angle and the channels of a cycle on a grid; ``force`` is |F| of it again."""
+    """Return the angle and the channels of a cycle on a grid; ``force`` is computed anew."""
     names = [channel.name for channel in table.sampled]
     rows = on_grid(columns["angle"], np.array([columns[name] for name in names]), points, method)
     result = dict(zip(names, rows, strict=True))
@@ -77,7 +76,7 @@ def resample_channels(
 
 
 def _in_order(angle_deg: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
-    """Return the angles, growing, in 0 .. 360, each once, and the mean values (rows, angles)."""
+    """Return the sorted unique angles in [0, 360), and the mean values (rows, angles)."""
     turned = np.mod(np.asarray(angle_deg, np.float64), 360.0)
     rows = np.asarray(values, np.float64).reshape(-1, turned.size)
     angle, group, number = np.unique(turned, return_inverse=True, return_counts=True)
@@ -90,7 +89,7 @@ def _in_order(angle_deg: ArrayLike, values: ArrayLike) -> tuple[Array, Array]:
 
 
 def _gaps(angle: Array) -> tuple[Array, Array]:
-    """Return where each stretch without samples begins, and its length."""
+    """Return the start and the length of each gap without samples."""
     spacing = np.diff(angle, append=angle[0] + 360.0)
     wide = spacing > max(SMALLEST_GAP_DEG, GAP_SPACINGS * float(np.median(spacing)))
     return angle[wide], spacing[wide]

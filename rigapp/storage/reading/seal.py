@@ -1,9 +1,9 @@
 """Seal the parts of an ended test by a tree of SHA-256, and find the parts that changed since.
 
-A leaf is the digest of some rows as they are stored, or of some cycles with their samples; a part
-is that of its leaves, the root that of all parts. The seal is in the file and beside it. Who
-can change the file can make a new seal for it: that shows against the one beside, where that was
-kept elsewhere, and against the signature, where the laboratory signs.
+A leaf is the digest of some rows as stored, or of some cycles with their samples; the digest of a
+part is that of its leaves, the root that of all parts. The seal is in the file and beside it.
+Whoever can change the file can make a new seal for it: this is detected by a copy of the seal kept
+elsewhere, and by the signature, where the laboratory signs.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ PART_NAMES = {
     "events": say("the log"),
 }
 PREFIX = b"seal of a test, SHA-256 "
-"""Prefix of the root, so that the signature of a seal fits nothing else."""
+"""Prefix of the signed root, so that its signature is valid for a seal only."""
 
 
 class Part(msgspec.Struct, frozen=True):
@@ -75,7 +75,7 @@ def root_of(identifier: str, parts: dict[str, Part]) -> str:
 
 
 def parts_of(reader: TestReader) -> dict[str, Part]:
-    """Return the parts of an open test as they are now."""
+    """Return the parts of an open test in their present state."""
     ending = hashlib.sha256(b"\x00")
     for text in reader.ending():
         ending.update(text.encode() + b"\0")
@@ -113,7 +113,7 @@ def make_seal(reader: TestReader) -> Seal:
 
 
 def key_path() -> Path:
-    """Return the path of the key that signs the seals of this user; it need not exist."""
+    """Return the path of the key that signs this user's seals; the file need not exist."""
     return platformdirs.user_config_path("rigapp") / "seal-key.pem"
 
 
@@ -162,7 +162,7 @@ def write_beside(path: Path, seal: Seal) -> None:
 
 
 def has_seal_beside(path: Path) -> bool:
-    """Return whether a seal lies beside a file; a link is none."""
+    """Return whether a file has a seal beside it; a link does not count."""
     return beside(path).is_file() and not beside(path).is_symlink()
 
 
@@ -179,7 +179,7 @@ def read_seal(text: bytes | str) -> Seal:
 
 
 def broken_seals(reader: TestReader) -> Iterator[str]:
-    """Yield a sentence for each part of a file that is not as it was sealed; none without seal."""
+    """Yield a sentence for each part of a file that differs from its seal; none without a seal."""
     path, stored = reader.path, reader.seal_text()
     seals: list[tuple[Any, Seal]] = []
     try:
@@ -247,7 +247,7 @@ def _signed(seal: Seal) -> bool:
 
 
 def seal_words(reader: TestReader) -> str:
-    """Return how a file is sealed, in words."""
+    """Return a description of a file's seal."""
     text: str | bytes = reader.seal_text()
     if not text and has_seal_beside(reader.path):
         text = beside(reader.path).read_bytes()

@@ -39,9 +39,9 @@ Columns = dict[str, NDArray[Any]]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StoredVariable:
-    """A column in a file: its stream, the shape of its safe rows, its attributes.
+    """A column in a file: its stream, the shape of its committed rows, its attributes.
 
-    attributes: units, long_name and whatever else CF and NeXus want, without those of HDF5 itself.
+    attributes: units, long_name and others of CF and NeXus, without those of HDF5 itself.
     """
 
     name: str
@@ -62,7 +62,7 @@ class StreamReader:
         self._known: dict[str, int] = {}
         with telling_damage(path, say("its plan")):
             plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
-            # This entry of the plan may itself be damaged: the datasets decide.
+            # The plan's entry may be damaged; the datasets show whether there are checksums.
             self.plan = replace(plan, checksums=plan.checksums or _proves(file))
             self._streams = streams_of(self.plan)
         strange = next(filter(None, map(strange_name, _names(self._streams))), "")
@@ -90,7 +90,7 @@ class StreamReader:
             return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
     def committed(self, stream: str = "revolutions") -> int:
-        """Return the safe rows of a stream.
+        """Return the number of committed rows of a stream.
 
         stream: as in ``streams_of``; of ``samples`` and ``unfinished_samples`` those of their
         cycles.
@@ -111,7 +111,7 @@ class StreamReader:
             if rows < 0:
                 raise ValueError(say("rows {} to {} are requested and there are fewer", 0, rows))
         with contextlib.suppress(UnusableInput):  # this entry may itself be damaged
-            if self.stored_status() != "running":  # no more come
+            if self.stored_status() != "running":  # no more will be written
                 self._known[stream] = rows
         return rows
 
@@ -152,7 +152,7 @@ class StreamReader:
         return self._streams[stream].fields
 
     def has(self, stream: str) -> bool:
-        """Return whether the file keeps a stream; older files keep fewer."""
+        """Return whether the file has a stream; older files have fewer."""
         return stream in self._streams
 
     def has_checksum(self, stream: str) -> bool:
@@ -162,7 +162,7 @@ class StreamReader:
     def raw_rows(
         self, stream: str, first: int, stop: int
     ) -> tuple[list[NDArray[Any]], NDArray[Any]]:
-        """Return rows of a stream as they are stored, committed or not: columns, and checksums."""
+        """Return rows of a stream as stored, committed or not: columns and checksums."""
         layout = self._streams[stream]
         columns = [self._rows(layout.path(field.name), first, stop) for field in layout.fields]
         if layout.checksum is None:
@@ -170,11 +170,11 @@ class StreamReader:
         return columns, self._rows(layout.path(layout.checksum.name), first, stop)
 
     def stored_rows(self, path: str, first: int, stop: int) -> NDArray[Any]:
-        """Return rows of a dataset as they are stored, committed or not."""
+        """Return rows of a dataset as stored, committed or not."""
         return self._rows(path, first, stop)
 
     def row_bytes(self, stream: str) -> int:
-        """Return the bytes of a row, of a cycle with its usual number of samples."""
+        """Return the bytes of a row; of a cycle, with its usual number of samples."""
         layout = self._streams[stream]
         if stream in ("cycles", "unfinished"):
             return (
@@ -183,7 +183,7 @@ class StreamReader:
         return layout.row_bytes
 
     def declared(self, stream: str) -> int:
-        """Return the rows that a stream can have in this file."""
+        """Return the number of rows declared for a stream in this file."""
         layout = self._streams[stream]
         with telling_damage(self.path, layout.group):
             first = layout.fields[0]
@@ -191,9 +191,9 @@ class StreamReader:
             return len(dataset) if self.compressed else _room_of(dataset) // first.row_bytes
 
     def variables(self, stream: str) -> tuple[StoredVariable, ...]:
-        """Return the variables of a stream, shapes cut to the safe rows.
+        """Return the variables of a stream, shapes cut to the committed rows.
 
-        stream: as in ``streams_of``; of ``prediction`` without its curves and profiles.
+        stream: as in ``streams_of``; ``prediction`` excludes its curves and profiles.
         """
         layout, rows = self._streams[stream], self.committed(stream)
         with telling_damage(self.path, layout.group):
@@ -209,7 +209,7 @@ class StreamReader:
             )
 
     def attributes(self, stream: str) -> dict[str, dict[str, Any]]:
-        """Return the attributes of each column, also of those that an older file does not have."""
+        """Return the attributes of each column, including those that an older file lacks."""
         newest = streams_of(replace(self.plan, event_details=True, profiles=1))[stream]
         result = {
             field.name: {"units": field.unit, "long_name": field.description}
@@ -220,9 +220,9 @@ class StreamReader:
         return result
 
     def used_bytes(self, size: int) -> int:
-        """Return how many of the bytes of the file, ``size``, hold data.
+        """Return how many of the ``size`` bytes of the file hold data.
 
-        A file that is written in place has space for everything that was planned.
+        A file that is written in place has space for everything planned.
         """
         if self.compressed:
             return size
@@ -235,7 +235,7 @@ class StreamReader:
         return min(size, sum(self.committed(name) * octets for name, octets in each.items()))
 
     def texts(self) -> Iterator[tuple[str, str]]:
-        """Yield every text of the file with its path, the lines of the log left out."""
+        """Yield every text of the file with its path, except the lines of the log."""
         with telling_damage(self.path, say("its texts")):
             yield from texts_of(self._file)
 
@@ -247,10 +247,10 @@ class StreamReader:
         }
 
     def _rows(self, path: str, first: int, end: int) -> NDArray[Any]:
-        """Return rows ``first`` .. ``end`` of a dataset, which has them all.
+        """Return rows ``first`` .. ``end`` of a dataset, which must have them all.
 
-        Rows beyond the length that other programs see are read at their offset in the file: they
-        are not committed, or were after this file was opened.
+        Rows beyond the visible length are read at their offset in the file: they are not committed,
+        or were committed after this file was opened.
         """
         with telling_damage(self.path, path):
             dataset = self._file[path]
@@ -296,19 +296,19 @@ class StreamReader:
 
 
 def _proves(file: h5py.File) -> bool:
-    """Return whether a file has any checksum, whatever its plan says."""
+    """Return whether a file has any checksum, independently of its plan."""
     groups = ("revolutions", "cycles", "prediction")
     checksums = (f"{ENTRY}/{group}/{CHECKSUMS[group].name}" for group in groups)
     return any(path in file for path in (f"{STATE}/{CONFIGURATION_DIGEST}", *checksums))
 
 
 def _room_of(dataset: h5py.Dataset) -> int:
-    """Return the bytes that a dataset has in the file, whatever its visible length."""
+    """Return the bytes that a dataset occupies in the file, beyond its visible length too."""
     return int(dataset.id.get_storage_size())
 
 
 _OF_HDF5 = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
-"""Attributes that make a dataset a dimension, or join it to one."""
+"""Attributes that mark a dimension scale or attach a dataset to one."""
 
 
 def _attributes(dataset: h5py.Dataset) -> dict[str, Any]:
@@ -342,12 +342,13 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
 
 
 COLUMN_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}")
-"""Column names head tables and channel names become files, where other characters would act."""
+"""Valid column names: they appear in table headers and file names, where other characters are
+unsafe."""
 LONGEST_UNIT = 40
 
 
 def strange_name(column: FileColumn) -> str:
-    """Return why a column cannot be one that this program wrote, else an empty text."""
+    """Return why a column cannot have been written by this program, else an empty text."""
     if not COLUMN_NAME.fullmatch(column.name):
         return say("{} is no name of a column", repr(column.name[:80]))
     if len(column.unit) > LONGEST_UNIT or not column.unit.isprintable() or '"' in column.unit:
@@ -366,8 +367,8 @@ LOG = "/entry/events"
 def texts_of(file: h5py.File) -> Iterator[tuple[str, str]]:
     """Yield each text that is not empty with its path: of a dataset, or of an attribute.
 
-    An attribute's path is that of its owner, ``@`` and its name. A text that occurs several times
-    in one dataset is yielded once. The log is left out: its lines are events.
+    An attribute's path is that of its owner, ``@`` and its name. Repeated texts of one dataset are
+    yielded once. The log is excluded: its lines are events.
     """
     objects: list[h5py.HLObject] = [file]
     file.visititems(lambda _, node: objects.append(node))
@@ -382,7 +383,7 @@ def texts_of(file: h5py.File) -> Iterator[tuple[str, str]]:
 
 
 def _texts(value: Any) -> Iterator[str]:
-    """Yield the different texts of a value, none of another type."""
+    """Yield the distinct texts of a value; nothing for other types."""
     for item in dict.fromkeys(np.asarray(value).ravel().tolist()) if _is_text(value) else ():
         text = item.decode(errors="replace") if isinstance(item, bytes) else str(item)
         if text:

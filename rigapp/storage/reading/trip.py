@@ -1,7 +1,7 @@
 """The largest force of a test and the revolution in which it tripped.
 
 A trip ends a test within a revolution, which has no row of statistics: its samples are among the
-unfinished revolutions, and the log has the force that the trip was decided by.
+unfinished revolutions, and the log has the force that caused the trip.
 """
 
 from __future__ import annotations
@@ -26,19 +26,20 @@ OVERLOAD, BEYOND_RANGE, NO_FORCE = "overload", "overload:beyond_range", "saturat
 RESUMED, STOOD = "resumed", "stopped"
 DEPTH = "measured_wear_depth"
 SPEED_OVER_DEG = 5.0
-"""The speed of a crank is read over so much of its turn, 50 counts of the encoder."""
+"""Crank angle over which the speed is averaged, 50 counts of the encoder."""
 TRIGGER_N = 0.2
-"""A force is judged unrounded, and stored in steps of the amplifier, some 0.1 N away."""
+"""Tolerance of the trigger: a force is compared unrounded, and stored in the amplifier's steps,
+about 0.1 N apart."""
 SWUNG_DEG = 1.0
-"""A crank that has turned back so far swings: a dithering edge of the encoder moves it less."""
+"""Reversal of the crank that counts as a swing; a dithering encoder edge causes less."""
 
 
 @dataclass(frozen=True, slots=True)
 class LargestForce:
     """The largest |F| of a test, N.
 
-    angle_deg: crank angle, NaN where it is not known. lower_bound: the force went beyond the
-    measuring range. complete: its revolution has a row of statistics.
+    angle_deg: crank angle, NaN where unknown. lower_bound: the force exceeded the measuring range.
+    complete: its revolution has a row of statistics.
     """
 
     value_N: float
@@ -60,7 +61,7 @@ class Trip:
     cycle: its samples in the file, until the crank swung back. before: the last whole cycle saved
     before it, of the revolution just before in nearly every file. peak: its largest force. None
     where the file has none. after: the revolutions up to the crank's standstill.
-    trigger_N: the force that was judged as too large, NaN for another cause.
+    trigger_N: the force that exceeded its limit, NaN for another cause.
     """
 
     revolution: int
@@ -74,7 +75,7 @@ class Trip:
 def largest_force(test: TestReader) -> LargestForce | None:
     """Return the largest force of a test, None when none was measured.
 
-    What a saturated input showed counts only as the lower bound of an overload.
+    A saturated input counts only as the lower bound of an overload.
     """
     # Of equal values the last one: it has the flag of a lower bound.
     return max(reversed(_peaks(test)), key=_value, default=None)
@@ -133,7 +134,7 @@ def trip_of(test: TestReader) -> Trip | None:
 
 
 def _forwards(cycle: StoredCycle) -> StoredCycle | None:
-    """Return a revolution up to where the crank first swung back; None without a force."""
+    """Return a revolution up to the first reversal of the crank; None without a force."""
     angle = cycle.columns["angle"]
     back = np.flatnonzero(np.maximum.accumulate(angle) - angle > SWUNG_DEG)
     stop = int(back[0]) if back.size else len(angle)
@@ -142,7 +143,7 @@ def _forwards(cycle: StoredCycle) -> StoredCycle | None:
 
 
 def _first_out(events: list[Event]) -> Event | None:
-    """Return the line of the critical alarm that came first since the test was last begun."""
+    """Return the event of the first critical alarm since the test was last started or resumed."""
     result: Event | None = None
     for event in events:
         change = alarm_change(event)
@@ -155,7 +156,7 @@ def _first_out(events: list[Event]) -> Event | None:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TripPiece:
-    """A stretch of samples around a trip, (n,) each; before: of the revolution before it.
+    """A sequence of samples around a trip, (n,) each; before: of the revolution before it.
 
     time_s: from the trip. values: by channel, with ``speed`` in rpm.
     """
@@ -169,9 +170,9 @@ class TripPiece:
 class TripCapture:
     """The time around a trip: samples, the cause, and the time until the crank was stationary.
 
-    pieces: in their order. currents: time from the trip (n,) and A, by slow channel, one value a
+    pieces: in order of time. currents: time from the trip (n,) and A, by slow channel, one value a
     revolution. sentence: why the test ended. happened: host time of the alarm's line in the log,
-    before which the drive had been commanded; stood_s: from there to the line of the spindle's
+    written after the drive was commanded; stood_s: from there to the line of the spindle's
     standstill; turned_s: from the trip to the last movement, by the device's clock; NaN: unknown.
     """
 
@@ -185,7 +186,7 @@ class TripCapture:
     table: ChannelTable = BASE
 
     def series(self, names: tuple[str, ...]) -> tuple[str, ...]:
-        """Return which of some channels every piece has."""
+        """Return those of the named channels that every piece has."""
         return tuple(name for name in names if all(name in piece.values for piece in self.pieces))
 
 
@@ -235,9 +236,9 @@ def _currents(
 
 
 def _tripped_at(trip: Trip, cycle: StoredCycle) -> float:
-    """Return the device's time at which a test tripped, s: at the force that was too large."""
+    """Return the device's time of the trip, s: that of the force which exceeded its limit."""
     force, time = cycle.columns["force"], cycle.columns["time"]
-    # A force beyond the measuring range is stored as its end.
+    # A force beyond the measuring range is stored as the end of the range.
     trigger = min(trip.trigger_N, float(np.nanmax(force)))
     with np.errstate(invalid="ignore"):
         over = np.flatnonzero(force >= trigger - TRIGGER_N)
@@ -245,7 +246,7 @@ def _tripped_at(trip: Trip, cycle: StoredCycle) -> float:
 
 
 def _speed_rpm(cycle: StoredCycle) -> NDArray[np.float64]:
-    """Return the speed of the crank (n,) by the time that a part of a turn takes."""
+    """Return the speed of the crank (n,), averaged over ``SPEED_OVER_DEG``."""
     angle, time = cycle.columns["angle"].astype(np.float64), cycle.columns["time"]
     places = np.searchsorted(np.maximum.accumulate(angle), angle - SPEED_OVER_DEG)
     took = time - time[places]
@@ -254,7 +255,7 @@ def _speed_rpm(cycle: StoredCycle) -> NDArray[np.float64]:
 
 
 def _turned_s(trip: Trip, cycle: StoredCycle, zero: float) -> float:
-    """Return the time from a trip to the last movement of the crank that is recorded, s."""
+    """Return the time from a trip to the last recorded movement of the crank, s."""
     last = (trip.after or (cycle,))[-1]
     moved = np.flatnonzero(np.diff(last.columns["angle"]) != 0.0)
     end = last.columns["time"][int(moved[-1]) + 1 if moved.size else 0]
@@ -262,7 +263,7 @@ def _turned_s(trip: Trip, cycle: StoredCycle, zero: float) -> float:
 
 
 class _ForceLog:
-    """The forces in the log: overloads, and since when no force is known.
+    """Forces in the log: overloads, and the revolutions without a known force.
 
     overloads: revolution -> force, and whether it is a lower bound.
     """
@@ -278,7 +279,7 @@ class _ForceLog:
             elif raised and kind == NO_FORCE and what:
                 changes.append((event.revolution, False))
             elif raised and change is not None and kind == OVERLOAD:
-                # Older files have the value in words only; then the samples give it.
+                # Older files have the value only in the text; it then comes from the samples.
                 self.overloads[event.revolution + 1] = (
                     change.value or 0.0,
                     event.key == BEYOND_RANGE,
@@ -329,10 +330,10 @@ def _of_part(part: StoredCycle) -> LargestForce:
 
 
 def believed_until(reader: TestReader) -> int | None:
-    """Return the last revolution whose measured wear depth is believed, None where all are.
+    """Return the last revolution whose measured wear depth is plausible, None where all are.
 
-    The alarm comes some revolutions later: the twin lags. What lies nearer to the depth of the
-    alarm than to the last believed one is not believed.
+    The alarm comes some revolutions late, since the twin lags: depths nearer to that of the alarm
+    than to the last plausible one are not plausible.
     """
     for event in reader.events():
         change = alarm_change(event)
@@ -343,7 +344,7 @@ def believed_until(reader: TestReader) -> int | None:
 
 
 def _last_believed(reader: TestReader, revolution: int, value_um: float | None) -> int:
-    """Return the last revolution up to one whose depth is nearer to the last than to a value."""
+    """Return the last revolution whose depth is nearer to the newest one than to ``value_um``."""
     if value_um is None:
         return 0
     last: float | None = None

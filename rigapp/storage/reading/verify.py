@@ -33,18 +33,17 @@ def damage_of(path: str | os.PathLike[str]) -> list[str]:
 
 
 NEWEST_BYTES = 128 << 20
-"""Of each stream, checked where a whole file would take minutes: 400,000 rows, 700
-cycles."""
+"""Bytes of each stream to check where a whole file would take minutes: 400,000 rows, 700 cycles."""
 
 
 def found_damage(reader: TestReader, newest_bytes: int | None = None) -> Iterator[str]:
     """Yield a sentence for each part of an open file that a checksum does not confirm.
 
-    newest_bytes: check only so much of the end of each stream, None: all of it. Nothing is
-    yielded for parts of an older file that have no checksum.
+    newest_bytes: bytes to check at the end of each stream, None: all. Parts of an older file that
+    have no checksum are skipped.
     """
     if reader.plan.checksums:
-        # Whatever HDF5 raises is damage here: the tree itself may be damaged.
+        # Any error of HDF5 here indicates damage: the tree itself may be damaged.
         try:
             same = reader.settings_confirmed()
         except UnusableInput as error:
@@ -100,7 +99,7 @@ def wrong_rows(reader: StreamReader, stream: str, first: int, stop: int) -> NDAr
     for start in range(first, stop, ROWS_AT_ONCE):
         end = min(stop, start + ROWS_AT_ONCE)
         columns, stored = reader.raw_rows(stream, start, end)
-        with telling_damage(reader.path, say("its plan")):  # columns are not as it says
+        with telling_damage(reader.path, say("its plan")):  # columns may contradict it
             crcs = row_checksums(reader.fields(stream), columns, end - start)
         result.append(np.flatnonzero(crcs != stored) + start)
     return np.concatenate(result)

@@ -50,7 +50,7 @@ UTC = {
     "standard_name": "time",
     "calendar": "standard",
 }
-"""CF: UTC seconds; other programs make dates of it."""
+"""CF units of UTC seconds, which other programs convert into dates."""
 
 _UTC_COLUMNS = frozenset({("revolutions", "host_time"), ("events", "time")})
 
@@ -63,7 +63,7 @@ _FORCE = re.compile(r"force(?P<component>_[12])?(_(?P<statistic>max|min|mean|rms
 
 
 def detectors(table: ChannelTable) -> dict[str, str]:
-    """Return column -> the detector that it comes from: an instrument, or a free channel's own."""
+    """Return the detector of each column: an instrument, or a free channel's own."""
     result = dict.fromkeys(_OF_ENCODER, "encoder")
     for channel in table.channels:
         names = (channel.name, f"raw_{channel.name}", *(column.name for column in channel.columns))
@@ -76,7 +76,7 @@ def conventions(
 ) -> dict[str, Any]:
     """Return further attributes of a column.
 
-    sources: ``detectors`` of the file. uncertain: it states the uncertainty of its forces.
+    sources: ``detectors`` of the file. uncertain: the file states the uncertainty of its forces.
     """
     result: dict[str, Any] = {}
     if (stream.name, field.name) in _UTC_COLUMNS:
@@ -112,8 +112,8 @@ def _flags(dtype: str) -> dict[str, Any]:
     }
 
 
-PAGE = 4096  # the disk's and the memory's page: no two datasets share one
-METADATA_BLOCK = 1 << 18  # most of the structure lies together, at the head of the file
+PAGE = 4096  # page of disk and memory: no two datasets share one
+METADATA_BLOCK = 1 << 18  # keeps most of the structure together, at the head of the file
 
 _SIGNALS = {
     "/entry/revolutions": ("force_max", "Statistics of every revolution", ("revolution",)),
@@ -156,16 +156,16 @@ def build_file(path: Path, plan: FilePlan, metadata: TestMetadata, name: str) ->
                 file[STATE], CONFIGURATION_DIGEST, "S64", (), "", "SHA-256 of all that is fixed"
             )
             digest[()] = settings_digest(file, plan)
-        # Only now: a copy that is cut short then still has settings and structure.
+        # Last, so that a truncated copy still has settings and structure.
         for stream in streams.values():
             for field in stream.stored:
                 file[stream.path(field.name)][0] = np.zeros(field.shape, hdf_type(field.dtype))
 
 
 def _new_file(path: Path) -> h5py.File:
-    """Create an HDF5 file that writes values at once.
+    """Create an HDF5 file that writes values immediately.
 
-    Values that a full disk refuses only when the file is closed let HDF5 crash.
+    HDF5 crashes when a full disk refuses values only as the file is closed.
     """
     access = h5py.h5p.create(h5py.h5p.FILE_ACCESS)
     access.set_libver_bounds(h5py.h5f.LIBVER_EARLIEST, h5py.h5f.LIBVER_LATEST)
@@ -173,7 +173,7 @@ def _new_file(path: Path) -> h5py.File:
     access.set_alignment(PAGE, PAGE)
     access.set_meta_block_size(METADATA_BLOCK)
     access.set_sieve_buf_size(0)
-    access.set_file_locking(False, True)  # its name is still hidden, and some disks have no locks
+    access.set_file_locking(False, True)  # the name is still hidden; some disks have no locks
     identifier = h5py.h5f.create(os.fsencode(path), h5py.h5f.ACC_EXCL, fapl=access)
     return h5py.File(identifier)
 
@@ -190,7 +190,7 @@ def placed_dataset(
 ) -> h5py.Dataset:
     """Create a contiguous dataset at a fixed offset, its content not written.
 
-    later: it gets its offset with the first value that is written to it.
+    later: the offset is allocated with the first value written.
     """
     properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
     properties.set_layout(h5py.h5d.CONTIGUOUS)
@@ -217,7 +217,7 @@ def hdf_type(dtype: str) -> np.dtype[Any]:
 
 
 def describe(dataset: h5py.Dataset, unit: str, sentence: str) -> None:
-    """Give a dataset its unit and its long name."""
+    """Set the unit and the long name of a dataset."""
     if unit:
         dataset.attrs["units"] = str(unit)
     if sentence:
@@ -225,7 +225,7 @@ def describe(dataset: h5py.Dataset, unit: str, sentence: str) -> None:
 
 
 def write_tree(group: h5py.Group, values: Mapping[str, Any]) -> None:
-    """Write nested settings: a group for a mapping, a dataset with its unit for everything else."""
+    """Write nested settings: a group for each mapping, a dataset with a unit for other values."""
     for key, value in values.items():
         if isinstance(value, Mapping):
             write_tree(_group(group, str(key), "NXcollection"), value)
@@ -248,7 +248,7 @@ def _write_value(group: h5py.Group, key: str, value: Any) -> None:
 
 
 def _name_axes(dataset: h5py.Dataset) -> None:
-    """Give every axis of a list or a matrix a dimension, shared by those of its length."""
+    """Attach a dimension to every axis of a list or matrix, shared by axes of equal length."""
     names = ("element",) if dataset.ndim == 1 else ("row", "column", "layer")
     for position, (length, name) in enumerate(zip(dataset.shape, names, strict=False)):
         dimension = f"{name}_{length}"
@@ -339,7 +339,7 @@ def _build_stream(
 
 
 def bare_dimension(group: h5py.Group, name: str, length: int) -> h5py.Dataset:
-    """Create a dimension without coordinates, as netCDF does it; it takes no space."""
+    """Create a dimension without coordinates as netCDF does; it takes no space."""
     properties = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
     properties.set_layout(h5py.h5d.CONTIGUOUS)
     properties.set_alloc_time(h5py.h5d.ALLOC_TIME_LATE)
@@ -352,7 +352,7 @@ def bare_dimension(group: h5py.Group, name: str, length: int) -> h5py.Dataset:
 
 
 def scale_label(is_variable: bool, name: str, length: int) -> str:
-    """Return the NAME attribute of a dimension scale: netCDF's own words for a bare dimension."""
+    """Return the NAME attribute of a dimension scale: netCDF's text for a bare dimension."""
     return name if is_variable else f"{NOT_A_VARIABLE}{length:10d}"
 
 

@@ -1,7 +1,7 @@
 """Protect rows and whole cycles by CRC-32C, as they are stored.
 
-The checksum of a row is that of its columns' bytes in the order of the plan; of a cycle that of its
-samples, column after column, then of its row without ``first``, which says only where it lies.
+The checksum of a row covers its columns' bytes in the order of the plan; that of a cycle its
+samples, column after column, then its row without ``first``, which is only a position.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from rigapp.storage.structure.layout import FileColumn
 Crcs = NDArray[np.uint32]
 
 WORDS: dict[int, np.dtype[Any]] = {4: np.dtype("<u4"), 8: np.dtype("<u8")}
-"""Size of a value in bytes -> the word by which many rows are checked at once."""
+"""Size of a value in bytes -> the word type for checking many rows at once."""
 MANY_ROWS = 64
-"""Fewer are done before the compiled code is loaded."""
+"""Fewer rows take less time than loading the compiled code."""
 
 
 def row_checksums(fields: Sequence[FileColumn], columns: Sequence[NDArray[Any]], rows: int) -> Crcs:
-    """Return the CRC-32C of each of ``rows`` rows; columns: an array a field, of its type."""
+    """Return the CRC-32C of each of ``rows`` rows; columns: an array of each field's type."""
     if rows >= MANY_ROWS and all(
         column.ndim == 1 and column.itemsize in WORDS for column in columns
     ):
@@ -43,8 +43,8 @@ def row_checksums(fields: Sequence[FileColumn], columns: Sequence[NDArray[Any]],
 def word_checksums(words: NDArray[np.uint64], sizes: NDArray[np.int64]) -> Crcs:
     """Return the CRC-32C of each row.
 
-    words: (columns, rows), the bytes of each value and above them zeros; sizes: those of a value of
-    each column, in ``WORDS``.
+    words: (columns, rows), the bytes of each value, padded above with zeros. sizes: bytes of a
+    value of each column, in ``WORDS``.
     """
     return load_kernel()(words, sizes)
 
@@ -61,7 +61,7 @@ def cycle_checksum(
 ) -> int:
     """Return the CRC-32C of a cycle.
 
-    samples: each column's, of the file's type and without gaps. fields: of its row; row: the value
+    samples: of each column, contiguous and of the file's type. fields: of its row; row: the value
     of each.
     """
     crc = 0

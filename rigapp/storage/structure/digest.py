@@ -1,8 +1,8 @@
-"""Compute the digest of all that a test file fixes before its first row.
+"""Compute the digest of the data that a test file fixes before its first row.
 
-Covered are the path, type and attributes of every group and dataset, and the values of those that
-no writer changes later: settings, records, versions, axes. Not covered is what differs in the
-compressed copy: the file's name and form, and how HDF5 joins dimensions.
+It covers the path, type and attributes of every group and dataset, and the values of those that no
+writer changes later: settings, records, versions, axes. It excludes what differs in the compressed
+copy: the file's name and form, and the attachment of dimensions in HDF5.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from rigapp.storage.structure.layout import (
 SCALE_ATTRIBUTES = frozenset(
     ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "DIMENSION_LABELS")
 )
-"""Attributes that make a dataset a dimension, or join it to one."""
+"""Attributes that mark a dimension scale or attach a dataset to one."""
 SEAL = "/entry/seal"
 _UNCOVERED = SCALE_ATTRIBUTES | {FILE_NAME_ATTRIBUTE, FORM_ATTRIBUTE}
 
 
 def settings_digest(file: h5py.File, plan: FilePlan) -> bytes:
-    """Return the SHA-256, in hexadecimal, of what is fixed in an open file."""
+    """Return the hexadecimal SHA-256 of the fixed data of an open file."""
     changing = {END_TIME}
     for stream in streams_of(plan).values():
         changing.update(stream.path(field.name) for field in stream.stored)
@@ -53,12 +53,12 @@ def settings_digest(file: h5py.File, plan: FilePlan) -> bytes:
 
 
 def _add(total: Any, part: bytes) -> None:
-    """Add a part with its length before it, so that no two lists of parts read the same."""
+    """Add a part preceded by its length, so that different lists of parts give different bytes."""
     total.update(len(part).to_bytes(8, "little") + part)
 
 
 def _parts(path: str, item: Any, values: bool) -> Iterator[bytes]:
-    """Yield what is covered of one object."""
+    """Yield the covered bytes of one object."""
     yield path.encode()
     if isinstance(item, h5py.Dataset):
         yield f"{item.dtype.str} {item.shape[1:]}".encode()

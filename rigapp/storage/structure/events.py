@@ -1,4 +1,4 @@
-"""The append-only log: rows bound by digests, and the lines of older versions as of now."""
+"""The append-only log: rows chained by digests, and conversion of older versions."""
 
 from __future__ import annotations
 
@@ -30,28 +30,28 @@ from rigapp.storage.structure.layout import FileColumn
 from rigapp.texts import Sentence, braces
 
 CODES = ("kind", "source", "key", "level")
-"""Texts of one row; one that is too long is cut."""
+"""Texts of one row; longer ones are truncated."""
 
 TEXTS = ("text", "before", "after", "data")
-"""Texts that go on in the next row."""
+"""Texts that may continue in the next row."""
 
 _HASHED = ("kind", "source", "text", "before", "after", "key", "level", "data")
 
 
 SAID = "said"
-"""Key of ``data``: templates and values of the sentences of a line, for other languages."""
+"""Key of ``data``: templates and values of an event's sentences, for translation."""
 ASKED_KINDS = frozenset({"note", "command", "limit_changed", "zero", "viewer"})
 OWN_ALARMS = "engine"
-"""The source of an alarm without a request."""
+"""Source of an alarm that no request caused."""
 
 
 def is_requested(event: Event) -> bool:
-    """Return whether an event follows from a request to the engine."""
+    """Return whether an event results from a request to the engine."""
     return event.kind in ASKED_KINDS or (event.kind == "alarm" and event.source != OWN_ALARMS)
 
 
 def rows_of(event: Event, digest: bytes, fields: Sequence[FileColumn]) -> list[dict[str, Any]]:
-    """Return an event as rows; a text longer than its column goes on in the next row.
+    """Return an event as rows; a text longer than its column continues in the next row.
 
     digest: hexadecimal digest of the row before, of the file's identifier for the first row.
     """
@@ -87,12 +87,12 @@ def digest_of(row: Mapping[str, Any], before: bytes) -> bytes:
 
 
 def seed_of(identifier: str) -> bytes:
-    """Return the digest that the first row of a file is bound to."""
+    """Return the digest that precedes the first row of a file."""
     return hashlib.sha256(identifier.encode()).hexdigest().encode()
 
 
 def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
-    """Return the events that columns of rows hold, the continued ones joined."""
+    """Return the events in columns of rows, with continued texts joined."""
     result: list[Event] = []
     open_texts: dict[str, bytes] = {}
     for row in table_rows(columns):
@@ -112,12 +112,12 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
 
 
 def as_said(text: str, events: Iterable[Event]) -> str:
-    """Return a text of a file as the sentence that its log has of it; as it is without one."""
+    """Return the translatable sentence of the log for a text of a file, else the text itself."""
     return next((event.text for event in reversed([*events]) if event.text == text), text)
 
 
 def first_broken_link(columns: Mapping[str, NDArray[Any]], identifier: str) -> int | None:
-    """Return the first row whose digest does not follow from its content, None when all do."""
+    """Return the first row whose digest does not match its content, None when all do."""
     digest = seed_of(identifier)
     for i, row in enumerate(table_rows(columns)):
         digest = digest_of(row, digest)
@@ -135,7 +135,7 @@ def table_rows(columns: Mapping[str, NDArray[Any]]) -> Iterable[dict[str, Any]]:
 def columns_of(
     rows: Sequence[Mapping[str, Any]], fields: Sequence[FileColumn]
 ) -> dict[str, NDArray[Any]]:
-    """Return rows as one array a column."""
+    """Return rows as one array for each column."""
     return {
         field.name: np.array([row[field.name] for row in rows], field.dtype) for field in fields
     }
@@ -152,7 +152,7 @@ def _encoded(event: Event) -> str:
 
 
 def _has_words(text: object) -> bool:
-    """Return whether a text is a sentence that a catalogue may have."""
+    """Return whether a text is a sentence that can be translated."""
     if not isinstance(text, Sentence):
         return False
     literals = "".join(literal for literal, _, _ in braces(text.template))
@@ -160,7 +160,7 @@ def _has_words(text: object) -> bool:
 
 
 def _sentences(structures: Any) -> dict[str, Sentence]:
-    """Return sentences by their English texts; anything else is left out."""
+    """Return sentences by their English texts; other values are skipped."""
     result: dict[str, Sentence] = {}
     for structure in structures if isinstance(structures, list) else ():
         with contextlib.suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
@@ -178,7 +178,7 @@ def _decoded(text: str) -> dict[str, Any]:
 
 
 def _parts(text: str, width: int) -> list[bytes]:
-    """Cut a text into UTF-8 pieces of at most ``width`` bytes, between characters, at least one."""
+    """Split a text between characters into one or more UTF-8 parts of at most ``width`` bytes."""
     data = text.replace("\0", " ").encode("utf-8", errors="replace")
     parts: list[bytes] = []
     while len(data) > width:
@@ -212,11 +212,11 @@ _TITLES = [
     (re.compile(re.sub(r"\\\{\w*\\\}", "(.+)", re.escape(kind.title))), key, kind)
     for key, kind in sorted(KINDS.items(), key=lambda item: "{" in item[1].title)
 ]
-"""The pattern of each title and its kind; complete titles first."""
+"""Pattern of each title and its kind; titles without a pattern first."""
 
 
 def translated(events: Iterable[Event]) -> list[Event]:
-    """Return the events of an old log with key, level and data, as the engine writes them now."""
+    """Return the events of an old log in the present form, with key, level and data."""
     known: dict[str, tuple[str, Severity, AlarmChange]] = {}
     by_kind: dict[str, Callable[[Event], Event]] = {
         ALARM: lambda event: _alarm(event, known),
@@ -228,7 +228,7 @@ def translated(events: Iterable[Event]) -> list[Event]:
 
 
 def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) -> Event:
-    """Translate a line about an alarm; ``known``: the last state of each alarm, by its title."""
+    """Convert an event of an alarm; known: the last state of each alarm, by its title."""
     match = _ALARM.fullmatch(event.text)
     if match is None:
         return event
@@ -258,7 +258,7 @@ def _alarm(event: Event, known: dict[str, tuple[str, Severity, AlarmChange]]) ->
 
 
 def _kind(title: str, cause: str, first_out: bool) -> tuple[str, Severity, Kind]:
-    """Return key, severity and words of an alarm by its title; the title as key when unknown."""
+    """Return key, severity and kind of an alarm by its title; the title as key when unknown."""
     rule = _RULE.fullmatch(title)
     if rule is not None:
         severity = Severity.CRITICAL if " critical limit" in cause else Severity.WARNING

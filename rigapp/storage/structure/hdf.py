@@ -1,8 +1,8 @@
-"""Open an HDF5 file from any source for reading; refuse what is no data.
+"""Open an HDF5 file from any source for reading; refuse malicious content.
 
-A file that came by mail may be malicious: HDF5 reads other files of the computer where a dataset
-or a link points to them, and loads a plug-in for an unknown filter. Nothing of a file is read
-before ``refuse_traps`` has checked each object of it.
+A file from elsewhere may be malicious: HDF5 reads other files of the computer where a dataset or a
+link points to them, and loads a plug-in for an unknown filter. Nothing of a file is read before
+``refuse_traps`` has checked each of its objects.
 """
 
 from __future__ import annotations
@@ -20,22 +20,22 @@ from rigapp.config.errors import UnusableInput
 from rigapp.texts import say
 
 NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
-"""How netCDF marks a dimension without coordinates; its length follows in ten characters."""
+"""Mark of netCDF for a dimension without coordinates; its length follows in ten characters."""
 
 
 OWN_FILTERS = frozenset((h5z.FILTER_DEFLATE, h5z.FILTER_SHUFFLE, h5z.FILTER_FLETCHER32))
 """Filters that this program writes, all of them within HDF5."""
 MOST_OBJECTS = 10_000
-"""Groups and datasets of a file; one of the simulated rig has 366."""
+"""Maximum number of groups and datasets in a file; one of the simulated rig has 366."""
 MOST_SWELLING = 200
-"""Bytes that a byte of the file may become. Tests of the simulated rig become 1, one of 20,000
-revolutions whose rows are all the same 25; the filter itself could make 1,032 of one."""
+"""Maximum expansion factor of compressed data. Tests of the simulated rig have 1, one of 20,000
+revolutions with identical rows 25; the filter itself could reach 1,032."""
 SMALL = 1 << 20
-"""Bytes of a dataset that are harmless, however few of them are stored."""
+"""Size in bytes up to which a dataset is harmless at any expansion factor."""
 
 
 def open_for_reading(path: Path) -> h5py.File:
-    """Open a file for reading that reads nothing but itself; raises OSError, UnusableInput."""
+    """Open a file that reads no other file; raises OSError, UnusableInput."""
     if path.exists() and not stat.S_ISREG(path.stat().st_mode):
         raise UnusableInput("{}: this is no file but a device or a pipe; give a test file", path)
     file = _opened(path)
@@ -50,8 +50,8 @@ def open_for_reading(path: Path) -> h5py.File:
 def _opened(path: Path) -> h5py.File:
     """Open a file as HDF5; raises OSError.
 
-    HDF5's own default of locking is the first choice; the others where the file system has no
-    locks, or where this process has the file open already by another choice: all must agree.
+    HDF5's own default of locking is tried first; the others serve file systems without locks, and
+    files that this process already has open with another setting: all must agree.
     """
     for locking in (None, False):
         try:
@@ -64,14 +64,14 @@ def _opened(path: Path) -> h5py.File:
 
 @dataclass(frozen=True, slots=True)
 class _Link:
-    """The kind of a link and the address that it leads to."""
+    """The kind of a link and the address of its target."""
 
     kind: int
     address: int
 
 
 def refuse_traps(path: Path, file: h5py.File) -> None:
-    """Raise UnusableInput where an object of a file leads out of it, or expands when it is read."""
+    """Raise UnusableInput where an object refers to another file or expands excessively."""
     with telling_damage(path, say("its tree")):
         trap = _first_trap(file, path.stat().st_size)
     if trap:
@@ -81,7 +81,7 @@ def refuse_traps(path: Path, file: h5py.File) -> None:
 
 
 def _first_trap(file: h5py.File, size: int) -> str:
-    """Return what is wrong with the first object that is no part of a test, else an empty text."""
+    """Return the problem of the first object that a test cannot have, else an empty text."""
     seen = {h5o.get_info(file.id).addr}
     waiting: list[tuple[bytes, h5g.GroupID]] = [(b"", file.id)]
     claimed = 0
@@ -115,7 +115,7 @@ def _first_trap(file: h5py.File, size: int) -> str:
 
 
 def _links(group: h5g.GroupID) -> list[tuple[bytes, _Link]]:
-    """Return the links of a group with their kinds, up to a damaged one."""
+    """Return the links of a group with their kinds, up to the first damaged one."""
     result: list[tuple[bytes, _Link]] = []
     with contextlib.suppress(OSError, RuntimeError):
         group.links.iterate(
@@ -131,7 +131,7 @@ def _shown(path: bytes) -> str:
 def _odd_attribute(item: h5o.ObjectID) -> bytes:
     """Return the name of an attribute whose content may crash HDF5, else nothing.
 
-    Where one flipped bit makes a text a list of lists, the library takes its letters for addresses.
+    Where one flipped bit turns a text into a list of lists, the library uses letters as addresses.
     """
     for number in range(h5a.get_num_attrs(item)):
         attribute = h5a.open(item, index=number)
@@ -162,9 +162,9 @@ def _trap(dataset: h5d.DatasetID, length: int) -> str:
 
 @contextlib.contextmanager
 def telling_damage(path: Path, what: str) -> Iterator[None]:
-    """Raise UnusableInput for the errors of a block that reads a damaged file.
+    """Convert errors of a block that reads a damaged file into UnusableInput.
 
-    what: the part of the file. HDF5 and NumPy raise one of many errors, depending on the damage.
+    what: the part of the file. HDF5 and NumPy raise many kinds of error, depending on the damage.
     """
     try:
         yield

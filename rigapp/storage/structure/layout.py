@@ -1,4 +1,4 @@
-"""The contents of a test file: its streams, their columns and sizes, as plain records.
+"""The layout of a test file: its streams, their columns and sizes, as plain records.
 
 A *stream* is a set of 1-D datasets that grow together, row by row, up to a committed counter. All
 of them exist at their full size before the first sample; ``planned`` rows have reserved disk space,
@@ -26,7 +26,7 @@ from rigapp.schema.columns import (
 )
 
 SCHEMA = 1
-"""Version of the file's structure; a reader refuses what is newer than itself."""
+"""Version of the file's structure; a reader refuses newer ones."""
 
 SCHEMA_ATTRIBUTE = "rigapp_schema"
 
@@ -47,11 +47,11 @@ START_TIME = "/entry/start_time"
 END_TIME = "/entry/end_time"
 
 ROW_MULTIPLE = 512  # rows of 8 bytes fill whole pages
-SPARE_REVOLUTIONS = 1000  # a short test can be extended as well
+SPARE_REVOLUTIONS = 1000  # so that a short test can be extended as well
 SAMPLE_RESERVE = 1.1  # revolutions differ; unused space is given back at the end
 
 CONFIGURATION_DIGEST = "configuration_sha256"
-"""Name in ``/entry/state`` of the digest of what is fixed before the first row."""
+"""Name in ``/entry/state`` of the digest of the data fixed before the first row."""
 
 STATE_FIELDS: dict[str, tuple[str, str]] = {
     "status": ("S16", "running, complete, stopped or fault"),
@@ -84,10 +84,10 @@ class FileColumn(Column):
 
 @dataclass(frozen=True, slots=True)
 class FileStream:
-    """Datasets that grow together; ``counter`` is empty where another stream counts.
+    """Datasets that grow together; ``counter`` is empty where another stream has the counter.
 
-    checksum: the CRC-32C of each row, None for what another stream or a digest protects, and in
-    older files.
+    checksum: the CRC-32C of each row; None where another stream or a digest protects the rows, and
+    in older files.
     """
 
     name: str
@@ -116,17 +116,17 @@ class FileStream:
 
 @dataclass(frozen=True, slots=True)
 class FilePlan:
-    """The size of a test.
+    """The size and the optional parts of a test file.
 
-    revolutions: rows of statistics. cycles: whole cycles kept. samples_per_cycle: samples expected
-    in one of them at the test's speed. events: rows of the log. prediction: whether a twin runs.
-    channels: what is measured; older files have those of every rig.
-    cycle_reason: whether each cycle says why it is kept, and its quality. event_details: whether
-    events carry key, level and data. unfinished_samples: samples reserved for revolutions cut off
-    by the end of a test; 0 keeps none. profiles: worn profiles kept, and with them the twin's
-    checkpoints; 0 keeps neither. checksums: whether rows and cycles have a CRC-32C each, and the
-    settings a digest. waiting_cycles: the newest whole cycles, held until it is decided whether
-    they are kept.
+    revolutions: rows of statistics. cycles: complete cycles stored. samples_per_cycle: samples
+    expected in a cycle at the test's speed. events: rows of the log. prediction: whether a twin
+    runs. channels: the measured channels; older files have those of every rig.
+    cycle_reason: whether each cycle has the reason for its storage and its quality. event_details:
+    whether events have key, level and data. unfinished_samples: samples reserved for revolutions
+    cut off by the end of a test; 0 stores none. profiles: worn profiles stored, and with them the
+    twin's checkpoints; 0 stores neither. checksums: whether rows and cycles have a CRC-32C each,
+    and the settings a digest. waiting_cycles: newest complete cycles, held until it is decided
+    whether they are stored.
     """
 
     revolutions: int
@@ -194,11 +194,11 @@ WHY_FIELD = FileColumn(
 )
 
 UNFINISHED_ROWS = 64
-"""Unfinished revolutions that a file can hold: one each time a test is stopped."""
+"""Maximum number of unfinished revolutions in a file: one for each stop of a test."""
 
 
 def streams_of(plan: FilePlan) -> dict[str, FileStream]:
-    """Return the streams of a file by name, in the order in which they lie in the file."""
+    """Return the streams of a file by name, in their order in the file."""
     rows = max(1, plan.revolutions)
     all_rows = _rounded(rows + max(rows, SPARE_REVOLUTIONS))
     cycles = max(1, plan.cycles)
@@ -259,13 +259,13 @@ def streams_of(plan: FilePlan) -> dict[str, FileStream]:
         result = (*result, _waiting_stream(plan))
     if plan.checksums:
         result = tuple(replace(stream, checksum=CHECKSUMS.get(stream.name)) for stream in result)
-        # A copy that is cut short loses the end of the file: samples and curves, before any row.
+        # A truncated copy then loses samples and curves before any row.
         result = tuple(sorted(result, key=lambda s: _LAST.index(s.name) if s.name in _LAST else -1))
     return {stream.name: stream for stream in result}
 
 
 _LAST = ("curves", "waiting", "unfinished_samples", "samples")
-"""Streams that lie at the end of a file, the longest last."""
+"""Streams at the end of a file, the longest last."""
 
 
 AHEAD = {"revolutions": 4096, "prediction": 4096, "curves": 16, "profiles": 16}
@@ -285,7 +285,7 @@ CHECKSUMS = {
     "curves": _checksum("curve_checksum", "the curves"),
     "profiles": _checksum("profile_checksum", "the profile"),
 }
-"""Stream -> its column of checksums. The log has its digests, checkpoints have their own CRC."""
+"""Stream -> its column of checksums. The log has digests, checkpoints have their own CRC."""
 
 
 def _unfinished_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
@@ -321,7 +321,7 @@ CHECKPOINT_BYTES = 1 << 15
 
 
 def profile_rows(revolutions: int) -> int:
-    """Return the worn profiles that the twin keeps of so many revolutions."""
+    """Return the number of worn profiles that the twin stores for a number of revolutions."""
     return math.ceil(PROFILES_PER_DECADE * math.log10(max(revolutions, 1))) + 3
 
 
@@ -368,17 +368,17 @@ def _worn_streams(plan: FilePlan) -> tuple[FileStream, FileStream]:
 
 
 def reserved_bytes(streams: Iterable[FileStream]) -> int:
-    """Return the disk space in bytes that the planned rows of the streams need."""
+    """Return the disk space of the planned rows of the streams, bytes."""
     return sum(stream.planned * stream.row_bytes for stream in streams)
 
 
 def declared_bytes(streams: Iterable[FileStream]) -> int:
-    """Return the length in bytes that the streams give the file."""
+    """Return the length of the file that results from the streams, bytes."""
     return sum(stream.capacity * stream.row_bytes for stream in streams)
 
 
 def planned_rows(plan: FilePlan, revolutions: int) -> dict[str, int]:
-    """Return the rows of each stream that ``revolutions`` instead of the planned ones need."""
+    """Return the rows of each stream for ``revolutions`` instead of the planned number."""
     streams = streams_of(plan)
     share = revolutions / max(1, plan.revolutions)
     return {

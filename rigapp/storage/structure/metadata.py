@@ -15,14 +15,14 @@ from typing import Any
 from rigapp.schema.units import unit_of_key
 
 _RATE = re.compile(r"(?:^|_)([A-Za-z]+)_per$")
-"""The rest of a key whose last unit divides another: ``speed_limit_count_per`` (``_s``)."""
+"""A key without its last unit, which divides another: ``speed_limit_count_per`` (``_s``)."""
 
 
 @dataclass(frozen=True, slots=True)
 class TestMetadata:
-    """The texts, records and names that go with a test.
+    """The texts, records and names of a test.
 
-    rig_text, test_text: the TOML files as given. parameters: the model's, units in the keys.
+    rig_text, test_text: the TOML files unchanged. parameters: the model's, units in the keys.
     calibration: record name -> nested mapping of numbers, lists and texts, frozen for the test.
     detectors: the same for ``load_cell``, ``probes``, ``encoder``.
     started: UTC seconds since 1970-01-01, 0 for now.
@@ -59,7 +59,7 @@ def versions() -> dict[str, str]:
 
 
 def file_unit(key: str) -> str:
-    """Return the unit that a key of the configuration names at its end, "1" when none."""
+    """Return the unit at the end of a key of the configuration, "1" without one."""
     unit = unit_of_key(key)
     words = unit.words if unit.file is None else unit.file
     rate = _RATE.search(key.removesuffix(unit.ending)) if unit.ending else None
@@ -67,7 +67,7 @@ def file_unit(key: str) -> str:
 
 
 def name_and_unit(key: str) -> tuple[str, str]:
-    """Cut the unit off a key; an unknown unit stays in the name."""
+    """Split a key into name and unit; an unknown unit stays in the name."""
     unit = file_unit(key)
     places = [i for i, letter in enumerate(key) if letter == "_" and file_unit(key[i:]) == unit]
     if unit == "1" or not places or key[: places[-1]].endswith("_per"):
@@ -76,7 +76,7 @@ def name_and_unit(key: str) -> tuple[str, str]:
 
 
 def unit_suffix(unit: str) -> str:
-    """Return a unit as the end of a column's name: ``_mV_per_V``, empty for "1"."""
+    """Return a unit as the suffix of a column's name: ``_mV_per_V``, empty for "1"."""
     if unit in ("", "1"):
         return ""
     return "_" + unit.replace("/", "_per_").replace(" ", "").replace("%", "percent")

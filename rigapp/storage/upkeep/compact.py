@@ -1,8 +1,8 @@
-"""Turn the file of an ended test into a trimmed, compressed one, without ever risking the data.
+"""Replace the file of an ended test by a trimmed, compressed one, without risk to the data.
 
-The copy is written under a hidden name, closed, synced, read back and compared; only then it takes
-the file's name. A kill on the way leaves the original in place. As a program
-(``python -m rigapp.storage FILE``) it runs beside everything else at the lowest priority.
+The copy is written under a hidden name, closed, synced, read back and compared before it takes the
+file's name. If the process is killed, the original stays in place. As a program
+(``python -m rigapp.storage FILE``) it runs in the background at the lowest priority.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
     """Replace an ended test's file by its verified compressed form; False when it already is.
 
     Raises UnusableInput when the test has not ended, another process has the file, or the disk has
-    no space for the copy; StorageFailed when a checksum finds damage, or the copy does not read
-    back the same. The original stays then.
+    no space for the copy; StorageFailed when a checksum finds damage, or the copy differs when read
+    back. The original then stays.
     """
     target = Path(path).absolute()
     with open_test(target) as reader:
@@ -57,7 +57,7 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
         undo.callback(lambda: copy.unlink(missing_ok=True))
         copy.chmod(0o444)
         FILES.exchange(fd, copy, target)
-        with contextlib.suppress(OSError):  # it is in the file as well
+        with contextlib.suppress(OSError):  # the seal is in the file as well
             write_beside(target, seal)
         FILES.sync_folder(target.parent)
     return True
@@ -76,7 +76,7 @@ def seal_test(path: str | os.PathLike[str]) -> bool:
     if not _ended(target):
         return False
     write_beside(target, seal)
-    if not _ended(target):  # resumed just now: its seal is out of date
+    if not _ended(target):  # resumed meanwhile: the seal is out of date
         beside(target).unlink(missing_ok=True)
         return False
     return True
@@ -88,7 +88,7 @@ def _ended(path: Path) -> bool:
 
 
 def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
-    """Write the trimmed, compressed form of a test that is not being written to a new file.
+    """Write a trimmed, compressed copy of a test, which must not be running, to a new file.
 
     Raises UnusableInput where the test runs or its file is damaged.
     """
@@ -106,9 +106,9 @@ def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
 
 
 def settle_in_background(path: str | os.PathLike[str]) -> Child:
-    """Compress and seal an ended test in a process of its own, at the lowest priority.
+    """Compress and seal an ended test in a separate process at the lowest priority.
 
-    A test that was stopped is only sealed: it can be resumed.
+    A stopped test is only sealed, since it can be resumed.
     """
     return Child("rigapp.storage", os.fspath(path))
 
@@ -136,7 +136,7 @@ def _verified_copy(reader: TestReader) -> tuple[Path, Seal]:
     target = reader.path
     hidden = hidden_name(target, "packed")
     sizes = sizes_of(reader)
-    # The new checksums of the copy would hide damage for good.
+    # The new checksums of the copy would hide damage permanently.
     if damage := next(found_damage(reader), ""):
         raise StorageFailed(
             "{}: the file is damaged and is not changed ‹{}›; recover the intact data:"
@@ -201,7 +201,7 @@ def _sync_file(path: Path) -> None:
 
 
 def main() -> int:
-    """Settle the file named on the command line; exit status 0 done, 2 refused, 1 failed."""
+    """Compress or seal the file named on the command line; return 0 done, 2 refused, 1 failed."""
     lower_priority(19)
     path = sys.argv[1]
     try:

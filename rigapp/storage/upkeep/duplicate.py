@@ -21,16 +21,16 @@ from rigapp.storage.structure.layout import COMPRESSED, FILE_NAME_ATTRIBUTE, FOR
 
 # Filter the chunks of a dataset as HDF5 does, in as many threads as there are processors.
 #
-# HDF5 runs one thread at a time, so that it compresses on one processor. The content of a
-# chunk (shuffle, gzip, fletcher32) is made here, and handed to it ready.
+# HDF5 runs one thread at a time and so compresses on one processor. The content of a chunk
+# (shuffle, gzip, fletcher32) is computed here and passed to HDF5 complete.
 
 GZIP_LEVEL = 4
 
 
 def write_chunks(new: h5py.Dataset, pieces: Iterable[NDArray[Any]], processors: int) -> None:
-    """Fill a dataset with the filters shuffle, gzip and fletcher32.
+    """Write a dataset with the filters shuffle, gzip and fletcher32.
 
-    pieces: its rows in order, each but the last a multiple of its chunks long.
+    pieces: its rows in order; the length of each but the last is a multiple of the chunk length.
     """
     step, row = new.chunks[0], 0
     with contextlib.ExitStack() as stack:
@@ -45,7 +45,7 @@ def write_chunks(new: h5py.Dataset, pieces: Iterable[NDArray[Any]], processors: 
 
 
 def filtered(block: NDArray[Any], rows: int) -> bytes:
-    """Return a chunk of so many rows as HDF5 stores it; a short block is padded with zeros."""
+    """Return a chunk of ``rows`` rows as HDF5 stores it; a short block is padded with zeros."""
     missing = (rows - len(block)) * block[:1].nbytes
     plain = np.frombuffer(block.tobytes() + bytes(missing), np.uint8)
     shuffled = plain.reshape(-1, block.dtype.itemsize).T.tobytes()
@@ -54,23 +54,23 @@ def filtered(block: NDArray[Any], rows: int) -> bytes:
 
 
 def fletcher32(data: bytes) -> int:
-    """Return Fletcher's checksum of words of 16 bits, the first byte high, as HDF5 computes it."""
+    """Return Fletcher's checksum of big-endian words of 16 bits, as HDF5 computes it."""
     words = np.frombuffer(data + bytes(len(data) % 2), ">u2").astype(np.uint64)
     weights = np.arange(words.size, 0, -1, dtype=np.uint64)
     return _folded(int(words @ weights)) << 16 | _folded(int(words.sum()))
 
 
 def _folded(total: int) -> int:
-    """Return a sum modulo 65535 by carrying over, which makes 0 of 0 only."""
+    """Return a sum modulo 65535 by end-around carry, where only 0 gives 0."""
     return (total - 1) % 0xFFFF + 1 if total else 0
 
 
-CHUNK_BYTES = 1 << 18  # compresses well, and one cycle does not open many of them
-PIECE_BYTES = 1 << 24  # memory that a copy takes, whatever the file
+CHUNK_BYTES = 1 << 18  # compresses well, and reading one cycle opens only a few chunks
+PIECE_BYTES = 1 << 24  # memory of a copy, independent of the file's size
 
 
 Ranges = Sequence[tuple[int, int]]
-"""First and stop of each range of rows that is kept, in order."""
+"""Start and stop of each range of rows to copy, in order."""
 
 _DAMAGE = (OSError, RuntimeError, LookupError, ValueError, TypeError)
 """Errors that HDF5 and NumPy raise for damaged data."""
@@ -83,15 +83,15 @@ def write_duplicate(
     lost: Callable[[str], object] | None = None,
     processors: int = 1,
 ) -> None:
-    """Copy everything of ``source`` to a new file; datasets in ``sizes`` keep these rows.
+    """Copy ``source`` to a new file; datasets in ``sizes`` keep only these rows.
 
-    sizes: how many of the first rows, or ranges. lost: called with the path of what cannot be read
-    and is left out; None raises. processors: how many may compress. The copy holds the name of
-    ``source``, whose place it takes.
+    sizes: number of first rows, or ranges. lost: called with the path of each unreadable object,
+    which is skipped; None raises. processors: number of compressing threads. The copy stores the
+    name of ``source``, which it will replace.
     """
     with (
         open_for_reading(source) as old,
-        # From this format on HDF5 gives its own structure checksums (HDF5 1.10 and later read it).
+        # From this format HDF5 protects its own structure by checksums (HDF5 1.10 or later).
         h5py.File(target, "x", libver=("v110", "v110"), locking=False) as new,
     ):
         _copy_attributes(old, new)
@@ -107,7 +107,7 @@ def write_duplicate(
                 if lost is None:
                     raise
                 lost(path)
-        # By address: for the name of a scale HDF5 searches the whole file.
+        # By address: HDF5 would search the whole file for the name of a scale.
         scales: dict[int, str] = {}
         for path, item in _items(old):
             if isinstance(item, h5py.Dataset) and item.is_scale and path in new:
@@ -120,7 +120,7 @@ def write_duplicate(
 
 
 def open_copy(copy: Path) -> h5py.File:
-    """Open a copy of our own, which has no name yet, to complete it."""
+    """Open a copy that still has a hidden name, to complete it."""
     return h5py.File(copy, "r+", libver=("v110", "v110"), locking=False)
 
 

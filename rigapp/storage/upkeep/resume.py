@@ -32,13 +32,13 @@ from rigapp.storage.writing.writer import TestWriter
 from rigapp.texts import say
 
 LAST, BEFORE = "last", "before"
-"""Reasons for a cycle without a trigger: it is the last whole one, or came before the end."""
+"""Reasons to store a cycle without a trigger: the last complete one, or one before the end."""
 
 
 def left_cycles(reader: TestReader, cycles: int, last: int) -> list[StoredCycle]:
     """Return the confirmed cycles after the first ``cycles`` ones, in order.
 
-    last: the last committed revolution; later ones are measured again. Older files have none.
+    last: the last committed revolution; later ones are measured again. None in older files.
     """
     if not reader.plan.checksums:
         return []
@@ -49,7 +49,7 @@ def left_cycles(reader: TestReader, cycles: int, last: int) -> list[StoredCycle]
 
 
 def _waiting(reader: TestReader) -> Iterator[StoredCycle]:
-    """Yield the confirmed cycles that waited in the file, in any order."""
+    """Yield the confirmed waiting cycles of the file, in any order."""
     if not reader.has("waiting"):
         return
     fields = reader.fields("waiting")
@@ -88,26 +88,26 @@ def _uncounted(reader: TestReader, cycles: int) -> Iterator[StoredCycle]:
 
 
 def reopen_test(path: str | os.PathLike[str]) -> TestWriter:
-    """Open an interrupted or stopped test for writing, placed after its committed rows.
+    """Open an interrupted or stopped test for writing after its committed rows.
 
-    The gap is counted and logged; the flag in the first new row is the caller's. Raises
-    UnusableInput for a complete test, a file that another process writes, one that was compressed,
-    and too little space.
+    The gap is counted and logged; the caller sets the flag in the first new row. Raises
+    UnusableInput for a complete test, a file that another process writes, a compressed file, and
+    too little space.
     """
     target = Path(path).absolute()
     with open_test(target) as reader:
         _refuse_finished(reader)
     writer, last = _writer_at_end(target, _reserve)
     _log_resumption(writer, last)
-    with contextlib.suppress(OSError):  # of the end, which is void now
+    with contextlib.suppress(OSError):  # of the earlier end, which no longer holds
         beside(target).unlink(missing_ok=True)
     return writer
 
 
 def finish_whole_test(path: str | os.PathLike[str]) -> int:
-    """End a test that was killed after its last revolution was safe and before its file was ended.
+    """End a test that was killed after its last revolution was committed, before its file ended.
 
-    Return its revolutions, 0 when there is nothing to do: the test has not all of them, has been
+    Return its revolutions, 0 when there is nothing to do: revolutions are missing, the test has
     ended, or is being written. Raises UnusableInput as ``reopen_test``.
     """
     target = Path(path).absolute()
@@ -125,7 +125,7 @@ def finish_whole_test(path: str | os.PathLike[str]) -> int:
 def close_test(path: str | os.PathLike[str]) -> int:
     """End an interrupted test without its rig; return its revolutions, 0 where it has ended.
 
-    It is complete where it has all revolutions, else stopped. Raises UnusableInput as
+    Its status is complete with all revolutions, else stopped. Raises UnusableInput as
     ``reopen_test``.
     """
     target = Path(path).absolute()
@@ -193,14 +193,14 @@ def _sound_places(path: Path, plan: FilePlan) -> Places:
 
 
 def _as_planned(disk: Disk, plan: FilePlan, places: Places, revolutions: int) -> dict[str, int]:
-    """Reserve nothing: no rows will follow."""
+    """Return the planned rows without reserving space: no rows will follow."""
     return {name: stream.planned for name, stream in fitted_streams(plan, places).items()}
 
 
 def open_exclusively(path: Path) -> int:
-    """Open a test file as its only writer and return the descriptor, locked.
+    """Open a test file as its only writer and return the locked descriptor.
 
-    Raises UnusableInput when another process writes it, or it may not be written.
+    Raises UnusableInput when another process writes it, or writing is not permitted.
     """
     fd = _open_for_writing(path)
     try:
@@ -249,9 +249,9 @@ def _refuse_finished(reader: TestReader) -> None:
 
 
 def _open_for_writing(path: Path) -> int:
-    """Open a write-protected file of our own; it is protected again when this returns.
+    """Open a write-protected file of this user; it is protected again on return.
 
-    A kill on the way leaves the mark by which it is protected when the next test begins.
+    If the process is killed, a mark remains by which the next test protects the file.
     """
     remove_stale(path.parent)
     mark = hidden_name(path, "opened")
@@ -314,10 +314,10 @@ def _unfinished(reader: TestReader) -> dict[str, int]:
 
 
 def _rows_up_to(revolutions: NDArray[np.int64], last: int) -> int:
-    """Return the rows without those at the end that belong to revolutions after ``last``.
+    """Return the number of rows without those at the end of revolutions after ``last``.
 
-    A commit may have caught a cycle or a prediction whose own revolution it did not: that number
-    is measured again.
+    A commit may include a cycle or a prediction but not its revolution, which is then measured
+    again.
     """
     kept = np.flatnonzero(revolutions <= last)
     return int(kept[-1]) + 1 if kept.size else 0

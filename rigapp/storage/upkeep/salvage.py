@@ -1,8 +1,8 @@
-"""Copy what checksums confirm out of a damaged or truncated test file into a new one.
+"""Copy the data confirmed by checksums from a damaged or truncated test file into a new one.
 
-The rows of a file that is written in place lie before its samples, and its settings before all
-rows, so that a copy that was cut short has most of it. It is extended to the length in its head
-(what is missing reads as zeros, which no checksum confirms), and read as any other.
+The rows of a file written in place precede its samples, and its settings precede all rows, so that
+a truncated copy has most of them. It is extended to the length in its header (missing data read as
+zeros, which no checksum confirms), and read like any other file.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ SIGNATURE = b"\x89HDF\r\n\x1a\n"
 END_OF_FILE = {0: 40, 1: 44, 2: 28, 3: 28}
 """Version of an HDF5 superblock -> offset of the file's length in it, 8 bytes."""
 FEWEST = 16
-"""Rows that are given up together where one of them cannot be read."""
+"""Rows that are discarded together where one of them cannot be read."""
 
 Rows = NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True)
 class Salvaged:
-    """The result of salvaging a file: rows by stream, and differences in the new file.
+    """Result of salvaging a file: rows by stream, and differences in the new file.
 
     lost: committed rows without a valid checksum. missing: paths of datasets that cannot be read.
     damage: sentences about differences in the new file, its settings above all.
@@ -51,10 +51,10 @@ class Salvaged:
 
 
 def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Salvaged:
-    """Write every row and cycle that a checksum confirms into a new, compressed file.
+    """Write every row and cycle confirmed by a checksum into a new, compressed file.
 
     Raises UnusableInput where the target exists, nothing can be confirmed, or a file of an older
-    version has no checksums. The source is only read.
+    version has no checksums. The source is not changed.
     """
     source, target = Path(path).absolute(), Path(to).absolute()
     if os.path.lexists(target):
@@ -110,7 +110,7 @@ def salvage_test(path: str | os.PathLike[str], to: str | os.PathLike[str]) -> Sa
 
 
 def _copy_at_full_length(source: Path, full: Path) -> None:
-    """Copy a file, with its holes, and extend it to the length in its head; raise UnusableInput."""
+    """Copy a file with its holes, extended to the length in its header; raises UnusableInput."""
     try:
         with source.open("rb") as old, full.open("xb+") as new:
             head = old.read(64)
@@ -133,7 +133,7 @@ def _copy_at_full_length(source: Path, full: Path) -> None:
 
 
 def _committed(reader: TestReader, stream: str) -> int:
-    """Return the committed rows of a stream, at most those that it can have."""
+    """Return the number of committed rows of a stream, limited to its declared rows."""
     with contextlib.suppress(UnusableInput):
         return max(0, min(reader.committed(stream), reader.declared(stream)))
     return 0
@@ -142,8 +142,8 @@ def _committed(reader: TestReader, stream: str) -> int:
 def _sound_rows(reader: TestReader, stream: FileStream) -> Rows:
     """Return the confirmed rows of a stream, in order.
 
-    Rows of revolutions and cycles that follow the committed ones, confirmed and in order, were
-    written before the end and count: the counter itself may be damaged.
+    Confirmed, ordered rows of revolutions and cycles after the committed ones are included, since
+    the counter itself may be damaged.
     """
     rows = _committed(reader, stream.name)
     if stream.name == "events":
@@ -168,7 +168,7 @@ def _sound_rows(reader: TestReader, stream: FileStream) -> Rows:
 
 
 def _rising(reader: TestReader, stream: FileStream, rows: Rows) -> NDArray[np.bool_]:
-    """Return which rows have a higher revolution than all before; others are older."""
+    """Return a mask of the rows with a higher revolution than all before; others are older."""
     if not rows.size:
         return np.zeros(0, bool)
     numbers = reader.stored_rows(stream.path("revolution"), 0, int(rows[-1]) + 1)[rows]
@@ -177,7 +177,7 @@ def _rising(reader: TestReader, stream: FileStream, rows: Rows) -> NDArray[np.bo
 
 
 def _sound_of(reader: TestReader, stream: str, first: int, stop: int) -> Rows:
-    """Return the rows within a range that can be read and that their checksum confirms."""
+    """Return the readable rows of a range that their checksums confirm."""
     if first >= stop:
         return np.empty(0, np.int64)
     try:
@@ -195,7 +195,7 @@ def _sound_of(reader: TestReader, stream: str, first: int, stop: int) -> Rows:
 
 
 def _sound_log(reader: TestReader, rows: int) -> int:
-    """Return the first rows of the log that its digests confirm, whole texts only."""
+    """Return the number of first rows of the log confirmed by digests, complete texts only."""
     while rows:
         try:
             columns = {
@@ -218,7 +218,7 @@ def _sound_log(reader: TestReader, rows: int) -> int:
 def _sizes(
     reader: TestReader, streams: Mapping[str, FileStream], chosen: Mapping[str, Rows]
 ) -> tuple[dict[str, int | Ranges], dict[str, NDArray[np.int64]]]:
-    """Return which rows each dataset keeps, by path, and where the kept cycles begin then."""
+    """Return the rows that each dataset keeps, by path, and the new first samples of the cycles."""
     sizes: dict[str, int | Ranges] = {}
     first: dict[str, NDArray[np.int64]] = {}
     for name, stream in streams.items():
@@ -243,7 +243,7 @@ def _sizes(
 
 
 def _ranges(rows: Rows) -> Ranges:
-    """Return rows as ranges that follow without a gap."""
+    """Return rows as ranges without gaps."""
     if not rows.size:
         return []
     breaks = np.flatnonzero(np.diff(rows) != 1) + 1

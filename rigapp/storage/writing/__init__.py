@@ -1,1 +1,1 @@
-"""Write a running test in place: make its file, place rows, commit them, keep its name."""
+"""Write a running test in place: create its file, write rows, commit them, monitor its path."""

@@ -1,4 +1,4 @@
-"""Keep writes in memory until a thread that may wait for the disk places them."""
+"""Hold writes in memory until a thread that may wait for the disk places them."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from dataclasses import dataclass
 
 from rigapp.storage.filesystem.disk import Disk
 
-SOFT_LIMIT = 4 << 20  # 10 s of whole cycles at 120 rpm: so long may a disk sync
-HARD_LIMIT = 64 << 20  # three minutes of it: a disk that is so late is too slow
-WAIT_S = 1e-3  # gives the placing thread the interpreter; 128 kB take 0.1 ms
-MADE_AT_ONCE = 8  # whole cycles or blocks of rows: their columns are joined to runs
-RUN_BYTES = 1 << 17  # longer ones cost no less a byte, and an assisting thread waits for one
+SOFT_LIMIT = 4 << 20  # 10 s of complete cycles at 120 rpm, the longest expected sync of a disk
+HARD_LIMIT = 64 << 20  # three minutes of complete cycles: a disk with more delay is too slow
+WAIT_S = 1e-3  # lets the placing thread run; 128 kB take 0.1 ms
+MADE_AT_ONCE = 8  # complete cycles or blocks of rows: their columns are joined to runs
+RUN_BYTES = 1 << 17  # longer runs cost the same per byte, and an assisting thread waits for one
 
 
 @dataclass(slots=True)
 class _Run:
-    """Writes that follow each other in the file without a gap: one call of the system."""
+    """Contiguous writes in the file, written by one system call."""
 
     offset: int
     end: int
@@ -30,11 +30,11 @@ class Backlog:
 
     Policy: up to SOFT_LIMIT bytes an append only copies into memory, so that a stalled disk delays
     no caller. Above it each append places ``share`` runs itself. Above HARD_LIMIT it places until
-    the backlog is below: then the disk is slower than the data, and the caller must wait. Nothing
-    is ever dropped.
+    the backlog is below the limit: the disk is then slower than the data, and the caller must wait.
+    Nothing is dropped.
 
-    A column of a whole cycle lies in the file where that of the cycle before ends. Writes that wait
-    are joined so: a call for each column of several cycles, not for each of every cycle.
+    A cycle's column follows that of the previous cycle in the file. Waiting writes are therefore
+    joined: one call for each column of several cycles, not one for each column of each cycle.
     """
 
     def __init__(self, disk: Disk) -> None:
@@ -48,7 +48,7 @@ class Backlog:
         self.bytes = 0
 
     def put(self, writes: Sequence[tuple[memoryview, int]]) -> None:
-        """Add writes that overlap no waiting one; raises StorageFailed.
+        """Add writes that do not overlap waiting ones; raises StorageFailed.
 
         Their data must not change afterwards.
         """
@@ -66,7 +66,7 @@ class Backlog:
                 self.bytes += size
 
     def put_over(self, writes: Sequence[tuple[memoryview, int]]) -> None:
-        """Add writes that may overlap waiting ones, whose order they keep."""
+        """Add writes that may overlap waiting ones; the order is kept."""
         self._disk.refuse_broken()
         if not writes:
             return
@@ -77,7 +77,7 @@ class Backlog:
                 self.bytes += len(data)
 
     def put_later(self, size: int, make: Callable[[], object]) -> None:
-        """Add a function that puts ``size`` bytes when its turn comes; raises StorageFailed."""
+        """Add a deferred function that puts ``size`` bytes in its turn; raises StorageFailed."""
         self._disk.refuse_broken()
         with self._lock:
             self._later.append((size, make))
@@ -102,7 +102,7 @@ class Backlog:
             self._disk.refuse_broken()
 
     def _place_one(self, wait_s: float) -> bool:
-        """Place the oldest run; one at a time, since a later one may lie over it."""
+        """Place the oldest run; one at a time, since a later one may overwrite it."""
         if not self._placing.acquire(timeout=wait_s):
             return False
         try:
@@ -116,7 +116,7 @@ class Backlog:
             self._placing.release()
 
     def _make(self, most: int) -> None:
-        """Call the functions of ``put_later``; one thread at a time, so that the order stays."""
+        """Call the functions of ``put_later``; one thread at a time, to keep the order."""
         with self._making:
             for _ in range(most):
                 with self._lock:

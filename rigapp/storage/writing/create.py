@@ -1,4 +1,4 @@
-"""Make the complete file of a test before its first sample: structure, space, offsets, name."""
+"""Create the complete file of a test before its first sample: structure, space, offsets, name."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ from rigapp.texts import sentence_of_error
 Places = dict[str, tuple[int, int]]
 """Path of a dataset -> offset and length in bytes."""
 
-STRUCTURE_BYTES = 1 << 20  # groups, attributes, settings and records; 0.3 MB as a rule
+STRUCTURE_BYTES = 1 << 20  # groups, attributes, settings and records; typically 0.3 MB
 
 
 def refuse_bad_target(path: Path, plan: FilePlan) -> None:
-    """Refuse an existing file, a missing or read-only folder, too little space: UnusableInput."""
+    """Raise UnusableInput for an existing file, a missing or read-only folder, or a full disk."""
     folder = path.parent
     wrong = name_refusal(path)
     if wrong:
@@ -84,7 +84,7 @@ def refuse_bad_target(path: Path, plan: FilePlan) -> None:
 
 
 def _largest_file() -> int | None:
-    """Return the bytes that this system allows a file, None for any number."""
+    """Return the system's limit on the size of a file in bytes, None without a limit."""
     if sys.platform == "win32":
         return None
     try:
@@ -98,8 +98,8 @@ def _largest_file() -> int | None:
 def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Disk, Places]:
     """Create the file under a hidden name, reserve and check it, and move it into place.
 
-    Returns the open, locked file and the offsets of its datasets. Raises UnusableInput; then
-    nothing is left behind.
+    Return the open, locked file and the offsets of its datasets. Raises UnusableInput and then
+    leaves no file.
     """
     refuse_bad_target(path, plan)
     remove_stale(path.parent)
@@ -129,7 +129,7 @@ def create_file(path: Path, plan: FilePlan, metadata: TestMetadata) -> tuple[Dis
 
 
 def places_of(path: Path) -> Places:
-    """Return the offsets of the in-place datasets of a file, by h5py."""
+    """Return the offsets of the in-place datasets of a file, from h5py."""
     places: Places = {}
 
     def note(name: str, item: object) -> None:
@@ -144,14 +144,13 @@ def places_of(path: Path) -> Places:
 
 
 _EXTENT, _CONTINUED = 0x01, 0x10
-"""Messages in the header of an HDF5 object: the length of a dataset; the header's continuation."""
+"""Header messages of an HDF5 object: length of a dataset; continuation of the header."""
 
 
 def lengths_of(path: Path, streams: Mapping[str, FileStream]) -> dict[str, tuple[int, ...]]:
-    """Return the offsets of the lengths of the datasets, for each stream of data.
+    """Return the offsets of the datasets' length fields, for each stream of data.
 
-    A stream whose lengths are not found by the format of HDF5 is left out: other programs then see
-    all its rows.
+    A stream whose length fields are not found is omitted: other programs then see all its rows.
     """
     result: dict[str, tuple[int, ...]] = {}
     with open_for_reading(path) as file, path.open("rb") as stream:
@@ -164,9 +163,9 @@ def lengths_of(path: Path, streams: Mapping[str, FileStream]) -> dict[str, tuple
 
 
 def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
-    """Return the offset of the length of a dataset in its file, 0 where it is not found.
+    """Return the offset of a dataset's length field in its file, 0 where it is not found.
 
-    A header of version 1: 16 bytes, then messages; of each kind and size in 2 bytes, 4 more, data.
+    Header of version 1: 16 bytes, then messages: kind and size in 2 bytes each, 4 more bytes, data.
     """
 
     def read(start: int, size: int) -> bytes:
@@ -193,7 +192,7 @@ def _length_of(dataset: h5py.Dataset, stream: BinaryIO) -> int:
 
 
 def fitted_streams(plan: FilePlan, places: Places) -> dict[str, FileStream]:
-    """Return the streams of a plan with the sizes that the file really has."""
+    """Return the streams of a plan with the actual sizes in the file."""
     result: dict[str, FileStream] = {}
     for name, stream in streams_of(plan).items():
         first = stream.fields[0]
@@ -211,9 +210,9 @@ def reserve_stream(disk: Disk, stream: FileStream, places: Places, first: int, r
 
 
 def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], places: Places) -> None:
-    """Write a mark at each offset, read it back through h5py, and clear it again.
+    """Write a mark at each offset, read it back through h5py, and clear it.
 
-    Raises StorageFailed when the library's offsets do not hold: then no test may start.
+    Raises StorageFailed when the library's offsets are wrong: then no test may start.
     """
     marks: list[tuple[str, int, int, bytes]] = []
     for stream in streams.values():
@@ -228,7 +227,7 @@ def check_places(disk: Disk, file: Path, streams: Mapping[str, FileStream], plac
         disk.write(mark, offset)
     with open_for_reading(file) as opened:
         for path, group in groupby(marks, key=itemgetter(0)):
-            dataset = opened[path]  # once: to open it costs more than to read it
+            dataset = opened[path]  # once: opening costs more than reading
             for _, row, offset, mark in group:
                 if np.asarray(dataset[row]).tobytes() != mark:
                     raise StorageFailed(

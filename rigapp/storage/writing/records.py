@@ -1,4 +1,4 @@
-"""Append records of single revolutions: whole cycles, and the predictions of the twin."""
+"""Append records of single revolutions: complete cycles, and the predictions of the twin."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from rigapp.texts import joined, say
 
 
 class CycleWriter:
-    """Append whole, waiting and unfinished cycles; by any thread.
+    """Append complete, waiting and unfinished cycles; any thread may call.
 
     records: of each stream but ``revolutions`` and ``prediction``. counting: held while counts
     change.
@@ -63,11 +63,11 @@ class CycleWriter:
         why: str = "scheduled",
         quality: int = 0,
     ) -> bool:
-        """Append the samples of one whole cycle; False when there is no reserved space for it.
+        """Append the samples of a complete cycle; False when there is no reserved space for it.
 
-        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; they
-        must not change afterwards: they are copied when they are placed. why, quality: kept where
-        the plan has ``cycle_reason``.
+        columns: name -> (samples,) array, or an array (columns, samples) in the plan's order; must
+        not change afterwards, since it is copied only when placed. why, quality: stored where the
+        plan has ``cycle_reason``.
         """
         kept = self._append_ragged("cycles", "samples", revolution, columns, why, quality)
         if not kept:
@@ -78,11 +78,10 @@ class CycleWriter:
     def hold(
         self, revolution: int, columns: Mapping[str, ArrayLike], why: str = "", quality: int = 0
     ) -> None:
-        """Put a whole cycle that may still be kept into the file, over the oldest of its kind.
+        """Write a waiting cycle, which may still be stored, over the oldest waiting one.
 
-        It counts only after a crash: see ``rigapp.storage.upkeep.resume``. One that is longer
-        than its slot is left out. columns: see ``append``. why: the reason so far, empty without
-        one.
+        It is used only after a crash: see ``rigapp.storage.upkeep.resume``. A cycle longer than
+        its slot is skipped. columns: see ``append``. why: the present reason, empty without one.
         """
         stream = self._streams.get("waiting")
         if stream is None:
@@ -120,7 +119,7 @@ class CycleWriter:
     def append_unfinished(
         self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
     ) -> bool:
-        """Append a revolution that was cut off; False when the file has no room for it."""
+        """Append a revolution that was cut off; False when the file has no space for it."""
         if "unfinished" not in self._streams:
             return False
         return self._append_ragged(
@@ -203,9 +202,9 @@ def _size(values: Mapping[str, NDArray[Any]]) -> int:
 
 
 class PredictionWriter:
-    """Append predictions, curves, worn profiles and checkpoints of the twin; by any thread.
+    """Append predictions, curves, worn profiles and checkpoints of the twin; any thread may call.
 
-    rows: the predictions. For the rest see ``CycleWriter``.
+    rows: buffer of the predictions. For the others see ``CycleWriter``.
     """
 
     def __init__(
@@ -241,8 +240,8 @@ class PredictionWriter:
     ) -> bool:
         """Append the twin's prediction of one revolution; False when there is no space.
 
-        values: float64, in the order of the plan's prediction columns, the revolution first; in a
-        file of an older version those of ``prediction_columns`` that it has are stored.
+        values: float64, in the order of the plan's prediction columns, the revolution first; a file
+        of an older version stores those of ``prediction_columns`` that it has.
         curves: name -> (points,) array, or (curves, points) in the plan's order, or None.
         """
         kept = curves is None or self.append_curves(int(values[0]), curves)
@@ -253,7 +252,7 @@ class PredictionWriter:
     def append_curves(
         self, revolution: int, curves: Mapping[str, ArrayLike] | NDArray[Any]
     ) -> bool:
-        """Append the predicted curves of a revolution; False when there is no room."""
+        """Append the predicted curves of a revolution; False when there is no space."""
         names = self._plan.predicted_curves
         if not isinstance(curves, Mapping):
             curves = dict(zip(names, np.asarray(curves), strict=True))
@@ -264,7 +263,7 @@ class PredictionWriter:
     def append_profile(
         self, values: NDArray[np.float64] | Sequence[float], curves: Mapping[str, ArrayLike]
     ) -> bool:
-        """Append a worn profile; False when there is no room for it, or the file keeps none.
+        """Append a worn profile; False when there is no space for it, or the file has none.
 
         values: float64, in the order of ``profile_columns``; curves: mm, by PROFILE_CURVES.
         """
@@ -278,7 +277,7 @@ class PredictionWriter:
         return self._append_record("profiles", columns)
 
     def _append_record(self, stream: str, values: Mapping[str, ArrayLike]) -> bool:
-        """Append a row to a stream of the twin; False when there is no room for it."""
+        """Append a row to a stream of the twin; False when there is no space for it."""
         with self._lock:
             row = getattr(self._counts, stream)
             if not self._records[stream].holds(row + 1):
@@ -289,13 +288,13 @@ class PredictionWriter:
         return True
 
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
-        """Keep the twin's checkpoint; the next commit writes the newest one over the older slot."""
+        """Hold the twin's checkpoint; the next commit writes the newest one to the older slot."""
         if "checkpoints" in self._streams and len(state) <= CHECKPOINT_BYTES:
             with self._lock:
                 self._checkpoint = (revolution, state)
 
     def take_checkpoint(self) -> tuple[int, bytes] | None:
-        """Return the checkpoint that came since the last call, None without a new one."""
+        """Return the checkpoint received since the last call, None without a new one."""
         with self._lock:
             checkpoint, self._checkpoint = self._checkpoint, None
         return checkpoint

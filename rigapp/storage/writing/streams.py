@@ -21,17 +21,17 @@ from rigapp.texts import say
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
 FEWEST_SHOWN = 1
-"""HDF5 takes a dataset that has an offset and no length for damaged."""
-GROWTH_ROWS = 4096  # reserved at once, so that calls of the disk are rare
+"""HDF5 regards a dataset with an offset and no length as damaged."""
+GROWTH_ROWS = 4096  # reserved together, so that system calls are rare
 
 
 class Capacity:
-    """The rows of a stream that have reserved disk space; reserve more when they run out.
+    """Rows of a stream with reserved disk space; more are reserved on demand.
 
-    It also holds how many rows other programs see. HDF5 has the length of a dataset in its header;
-    it is moved in steps ahead of the rows, so that readers of a running test find columns of one
-    length, whose rows between are NaN. lengths: offset of the length in the file, for each dataset,
-    none where others see all. rows: in the file.
+    It also sets the number of rows that other programs see. HDF5 has the length of a dataset in its
+    header; it is increased in steps ahead of the rows, so that readers of a running test find
+    columns of equal length, where rows not yet written are NaN. lengths: offset of each dataset's
+    length field, none where others see all rows. rows: in the file.
     """
 
     __slots__ = (
@@ -61,7 +61,7 @@ class Capacity:
         self.show()
 
     def reach(self, rows: int) -> list[tuple[memoryview, int]]:
-        """Return the writes behind the first ``rows`` rows, which come before any further row."""
+        """Return the fill writes after the first ``rows`` rows, due before any further row."""
         most = max(rows, self.reserved)
         if not self._lengths or min(rows + self._ahead // 2, most) <= self._reached:
             return []
@@ -77,7 +77,7 @@ class Capacity:
         ]
 
     def show(self) -> None:
-        """Show other programs the rows that are reached; raises StorageFailed."""
+        """Make the rows that are reached visible to other programs; raises StorageFailed."""
         rows = self._reached
         if rows != self._shown:
             for offset in self._lengths:
@@ -85,7 +85,7 @@ class Capacity:
             self._shown = rows
 
     def end(self, rows: int) -> None:
-        """Show other programs so many rows and no more; raises StorageFailed."""
+        """Make exactly ``rows`` rows visible to other programs; raises StorageFailed."""
         self._reached = max(FEWEST_SHOWN, rows)
         self.show()
 
@@ -110,7 +110,7 @@ class Capacity:
         self.reserved = max(self.reserved, rows)
 
     def give_back(self, rows: int) -> None:
-        """Give the disk space after the first ``rows`` rows back."""
+        """Deallocate the disk space after the first ``rows`` rows."""
         for field in self._stream.stored:
             start = self._offsets[field.name] + rows * field.row_bytes
             self._disk.give_back(start, (self._stream.capacity - rows) * field.row_bytes)
@@ -118,7 +118,7 @@ class Capacity:
 
 
 class RowBuffer:
-    """Collect rows of scalar columns and hand them to the backlog a column at a time."""
+    """Collect rows of scalar columns and pass them to the backlog a column at a time."""
 
     def __init__(
         self,
@@ -144,7 +144,7 @@ class RowBuffer:
         self._begin_block()
 
     def append(self, values: Float | Sequence[float]) -> bool:
-        """Take one row, in the order of the stream's fields; False when there is no space."""
+        """Append one row, in the order of the stream's fields; False when there is no space."""
         with self._lock:
             if self.count >= self._room.reserved and not self._room.holds(self.count + 1):
                 return False
@@ -160,7 +160,7 @@ class RowBuffer:
         return True
 
     def hand_over_pending(self) -> int:
-        """Hand the remaining rows to the backlog; return the rows that are in it or in the file."""
+        """Pass the remaining rows to the backlog; return the rows that are in it or in the file."""
         with self._lock:
             first, count = self._placed, self.count
             rows = self._block[first - self._base : self._fill]
@@ -175,7 +175,7 @@ class RowBuffer:
         self._block: Float = np.empty((self._size, len(self._offsets)))
 
     def _hand_over(self, first: int, rows: Float) -> None:
-        """Hand rows over, a column at a time; they must not change any more."""
+        """Pass rows on, a column at a time; they must not change afterwards."""
         if not len(rows):
             return
         block = np.array(rows.T, order="C")
@@ -199,7 +199,7 @@ class RowBuffer:
 
 
 class RecordPlacer:
-    """Hand whole records (cycles' samples, curves, events) to the backlog."""
+    """Pass complete records (cycles' samples, curves, events) to the backlog."""
 
     def __init__(
         self, backlog: Backlog, stream: FileStream, offsets: Offsets, room: Capacity
@@ -221,8 +221,8 @@ class RecordPlacer:
     ) -> None:
         """Place ``rows`` rows from row ``first`` on; values: each field's array by name.
 
-        over: the same rows were placed before; a shorter record leaves the rest of them.
-        An array that has the field's type already is not copied: it must not change afterwards.
+        over: the same rows were placed before; a shorter record leaves the rest of them unchanged.
+        An array that already has the field's type is not copied: it must not change afterwards.
         """
         writes: list[tuple[memoryview, int]] = []
         columns: list[NDArray[Any]] = []
@@ -263,7 +263,7 @@ FINAL_STATUSES = ("complete", "stopped", "fault")
 
 @dataclass(slots=True)
 class Counts:
-    """The number of rows of each stream, and of refused ones."""
+    """Numbers of rows of each stream, and of refused rows."""
 
     revolutions: int = 0
     cycles: int = 0
@@ -295,7 +295,7 @@ COUNTERS = {
     "planned_revolutions": f"{STATE}/planned_revolutions",
     "revolutions": "/entry/revolutions/committed",
 }
-"""Counters in the order in which a commit writes them; a file need not have all of them."""
+"""Counters in the order of writing in a commit; a file need not have all of them."""
 
 
 class Scalars:
@@ -310,7 +310,7 @@ class Scalars:
         self.put(f"{STATE}/{name}", value)
 
     def put(self, path: str, value: int | str) -> None:
-        """Overwrite one scalar; a text that is too long is cut between characters."""
+        """Overwrite one scalar; a text that is too long is truncated between characters."""
         offset, length = self._places[path]
         if isinstance(value, int):
             data = value.to_bytes(8, "little", signed=True)

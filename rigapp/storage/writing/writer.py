@@ -1,4 +1,4 @@
-"""Write a running test: rows in place, a commit about once a second, one status at the end."""
+"""Write a running test: rows in place, a commit about once a second, a status at the end."""
 
 from __future__ import annotations
 
@@ -50,17 +50,17 @@ from rigapp.storage.writing.streams import (
 )
 from rigapp.texts import joined, say
 
-ROWS_BUFFERED = 256  # 72 kB in one piece; a commit takes fewer
-LONG_TEST = 4096  # revolutions; few rigs make a block of rows a second
+ROWS_BUFFERED = 256  # 72 kB in one piece; a commit has fewer
+LONG_TEST = 4096  # revolutions; few rigs produce a block of rows a second
 STALE_ROWS = 4096  # more than a crash leaves uncounted
-EVENTS_KEPT_BACK = 64  # rows for alarms and the end of the test, however full the log
+EVENTS_KEPT_BACK = 64  # rows reserved for alarms and the end of the test
 
 
 def create_test(path: str | os.PathLike[str], plan: FilePlan, metadata: TestMetadata) -> TestWriter:
     """Create the file of a test and return its writer.
 
-    The file is complete, its space reserved, before it appears under its name. Raises UnusableInput
-    for an existing file, a folder that is missing or read-only, too little space.
+    The file is complete and its space reserved before it appears under its name. Raises
+    UnusableInput for an existing file, a missing or read-only folder, or too little space.
     """
     target = Path(path).absolute()
     disk, places = create_file(target, plan, metadata)
@@ -72,9 +72,9 @@ def create_test(path: str | os.PathLike[str], plan: FilePlan, metadata: TestMeta
 class TestWriter:
     """Write one test file in place.
 
-    ``append_*`` may be called from any thread and never wait for the disk's sync; ``commit`` is
-    meant for a thread of its own, about once a second. Those of cycles are ``CycleWriter``'s, those
-    of the twin ``PredictionWriter``'s.
+    ``append_*`` may be called from any thread and never wait for the disk's sync; ``commit`` should
+    be called by a separate thread about once a second. The methods for cycles are those of
+    ``CycleWriter``, those for the twin of ``PredictionWriter``.
     """
 
     __test__ = False
@@ -149,14 +149,14 @@ class TestWriter:
         self._closed = False
         self._finished = False
         if plan.checksums and plan.revolutions > LONG_TEST:
-            load_kernel()  # now, rather than with the first block of rows
+            load_kernel()  # now rather than at the first block of rows
         self._scalars.put_state(
             "writer", say("process {} on {}", os.getpid(), socket.gethostname())
         )
 
     @property
     def path(self) -> Path:
-        """Return where the file is; another path when it had to be saved there."""
+        """Return the path of the file; a new one after the file had to be saved elsewhere."""
         return self._disk.path
 
     @property
@@ -171,18 +171,18 @@ class TestWriter:
 
     @property
     def planned_revolutions(self) -> int:
-        """Return the revolutions that the test shall have, extensions included."""
+        """Return the planned revolutions of the test, extensions included."""
         return self._counts.planned_revolutions
 
     @property
     def cycles_refused(self) -> int:
-        """Return the number of whole cycles not kept for lack of reserved space."""
+        """Return the number of complete cycles not stored for lack of reserved space."""
         return self._counts.cycles_refused
 
     def append_row(self, values: NDArray[np.float64] | Sequence[float]) -> None:
         """Append the statistics of one revolution: float64, in the order of the plan's columns.
 
-        Raises DiskFull when the file is full, StorageFailed when the disk refuses.
+        Raises DiskFull when the file is full, StorageFailed when writing fails.
         """
         self._disk.refuse_broken()
         if not self._rows.append(values):
@@ -193,9 +193,9 @@ class TestWriter:
             )
 
     def forget_stale(self) -> None:
-        """Remove the checksums of rows after the last ones, which a crash left uncounted.
+        """Remove the checksums of the rows after the last one, which a crash left uncounted.
 
-        New rows overwrite them one by one; an old one among them would be confirmed again.
+        New rows overwrite them one by one; an old row between them must not appear confirmed.
         """
         for name in ("revolutions", "cycles"):
             stream = self._streams[name]
@@ -209,20 +209,20 @@ class TestWriter:
     def append_event(self, event: Event) -> bool:
         """Append an event to the log; False, and counted, when the log is full.
 
-        Events of requests get half of the log, so that they cannot fill it: alarms and the end of
-        the test always find space.
+        Events of requests get at most half of the log, so that alarms and the end of the test
+        always find space.
         """
         half = self._streams["events"].planned // 2
         return self._append_event(event, half if is_requested(event) else EVENTS_KEPT_BACK)
 
     def note_gap(self, event: Event) -> None:
-        """Count an interruption of the data and log where it is."""
+        """Count an interruption of the data and log its position."""
         with self._count_lock:
             self._counts.gaps += 1
         self._append_event(event, 0)
 
     def extend(self, revolutions: int) -> None:
-        """Plan for ``revolutions`` in all, and reserve the disk space for them.
+        """Set the planned total to ``revolutions`` and reserve the disk space for them.
 
         Raises UnusableInput, and changes nothing, when the file or the disk has no space.
         """
@@ -265,7 +265,7 @@ class TestWriter:
         )  # fmt: skip
 
     def begin_again(self, event: Event, gap: bool) -> None:
-        """Turn the file back into a running test; ``gap`` when there is data before."""
+        """Set the status of the file to running again; gap: whether there are data before."""
         with self._count_lock:
             self._counts.resumed += 1
             self._counts.gaps += gap
@@ -278,25 +278,25 @@ class TestWriter:
             self._disk.sync()
 
     def commit(self) -> int:
-        """Make everything appended so far safe; return the number of revolutions now safe.
+        """Commit everything appended so far; return the number of committed revolutions.
 
-        Data first, then the counters, each followed by a sync: a revolution that this announces
-        survives a power loss. Appending goes on meanwhile. After ``close`` there is nothing to do.
+        Data first, then the counters, each followed by a sync: a committed revolution survives a
+        power loss. Appending continues meanwhile. After ``close`` it does nothing.
         """
         with self._commit_lock:
             return self.revolutions_committed if self._closed else self._commit()
 
     def place(self) -> None:
-        """Put the backlog into the file between commits, without making it safe.
+        """Write the backlog to the file between commits, without a sync.
 
-        It keeps appending free of writing. Raises StorageFailed; after ``close`` it does nothing.
+        Appending then need not write. Raises StorageFailed; after ``close`` it does nothing.
         """
         with self._commit_lock:
             if not self._closed:
                 self._backlog.drain()
 
     def watch_path(self, notice: Callable[[str], object] = lambda _: None) -> PathReport | None:
-        """Give a file that was deleted, moved or replaced a name again; see ``PathWatcher``."""
+        """Restore the name of a file that was deleted, moved or replaced; see ``PathWatcher``."""
         with self._path_watcher.looking:
             return None if self._closed else self._path_watcher.look(notice)
 
@@ -331,7 +331,7 @@ class TestWriter:
         self._give_back()
 
     def _give_back(self) -> None:
-        """Give unused space back; resuming the test reserves it again."""
+        """Deallocate unused space; resuming the test reserves it again."""
         with self._commit_lock:
             for name, room in self._rooms.items():
                 rows = self._rows_of(name)
@@ -339,7 +339,7 @@ class TestWriter:
                     room.give_back(rows)
 
     def _rows_of(self, stream: str) -> int | None:
-        """Return the rows that a stream has now, None for one whose rows are not counted."""
+        """Return the number of rows of a stream, None where its rows are not counted."""
         if stream == "revolutions":
             return self._rows.count
         if stream == "prediction":
@@ -350,7 +350,7 @@ class TestWriter:
             return getattr(self._counts, stream, None)
 
     def close(self) -> None:
-        """Close the file; uncommitted data are committed if the disk allows it."""
+        """Close the file after committing the remaining data, if the disk allows it."""
         with self._path_watcher.looking, self._commit_lock:
             if self._closed:
                 return
@@ -362,7 +362,7 @@ class TestWriter:
                 self._disk.close()
 
     def discard(self) -> None:
-        """Close a file in which nothing is recorded, and delete it under its name."""
+        """Close a file without recorded data, and delete it."""
         with self._path_watcher.looking, self._commit_lock:
             if self._closed:
                 return
@@ -393,7 +393,7 @@ class TestWriter:
         if checkpoint is not None:
             self._twin.place_checkpoint(checkpoint)
         self._backlog.drain()
-        for room in self._rooms.values():  # before the counters, which never count beyond
+        for room in self._rooms.values():  # before the counters, which must not exceed the rows
             room.show()
         changed = [name for name in self._counters if now[name] != self._written[name]]
         if changed or checkpoint is not None:
@@ -407,7 +407,7 @@ class TestWriter:
         return self.revolutions_committed
 
     def _forget_samples(self, first: int, stop: int) -> None:
-        """Drop synced samples from the page cache: nothing of the test reads them again."""
+        """Drop synced samples from the page cache: the test does not read them again."""
         for field in self._streams["samples"].fields:
             offset = self._places[self._streams["samples"].path(field.name)][0]
             start = (offset + first * field.row_bytes) // PAGE * PAGE
