@@ -20,17 +20,17 @@ from rigapp.presentation.results import key_numbers, outcome_text, trust_lines
 from rigapp.report.page.document import Manuscript
 from rigapp.report.results import result_of_open, sequence_of, step_numbers
 from rigapp.storage import (
-    AS_EVER,
+    DEFAULT_DIALECT,
     Dialect,
     StorageFailed,
     broken_seals,
     close_test,
     compact_test,
     export_test,
-    found_damage,
+    find_damage,
     open_test,
     salvage_test,
-    seal_words,
+    seal_description,
 )
 from rigapp.texts import say, sentence_of_error
 from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
@@ -74,7 +74,7 @@ def export_file(
 ) -> int:
     """Write a table of a test file and print its size; return the exit status."""
     separator = "\t" if separator in ("tab", "\\t") else separator
-    dialect = Dialect(separator or AS_EVER.separator, decimal or AS_EVER.decimal)
+    dialect = Dialect(separator or DEFAULT_DIALECT.separator, decimal or DEFAULT_DIALECT.decimal)
     with open_test(path) as test:
         sequence = sequence_of(test)
     steps = partial(step_numbers, sequence) if sequence is not None else None
@@ -194,10 +194,10 @@ def verify_file(path: Path, *, as_json: bool) -> int:
     """Check a file by its checksums and print which part differs; return 1 where one does."""
     with open_test(path) as reader:
         checksums, compressed = reader.plan.checksums, reader.compressed
-        damage = list(found_damage(reader))
+        damage = list(find_damage(reader))
         try:
             damage += broken_seals(reader)
-            sealed = seal_words(reader)
+            sealed = seal_description(reader)
         except UnusableInput as error:
             damage.append(sentence_of_error(error))
             sealed = ""

@@ -49,7 +49,7 @@ from rigapp.schema.messages import (
 )
 from rigapp.schema.rownumbers import RowNumbers
 from rigapp.service.client import merged
-from rigapp.storage import TestReader, as_said, open_test, row_numbers
+from rigapp.storage import TestReader, logged_sentence, open_test, row_numbers
 from rigapp.texts import say, sentence_of_error
 
 
@@ -384,7 +384,7 @@ def read_recording(test: TestReader) -> Recording:
     status = Status(
         EngineStatus(
             RunState.RUNNING,
-            as_said(summary["reason"], events) or summary["status"],
+            logged_sentence(summary["reason"], events) or summary["status"],
             operator=metadata["operator"],
         ),
         TestStatus(

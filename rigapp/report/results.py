@@ -28,12 +28,12 @@ from rigapp.schema.results import TestResult
 from rigapp.schema.wire import encode
 from rigapp.storage import (
     TestReader,
-    as_said,
-    believed_until,
     blocks,
     largest_force,
+    logged_sentence,
     newest_known,
     open_test,
+    plausible_until,
     rows_up_to,
 )
 from rigapp.texts import capitalised, say, sentence_of_error
@@ -80,7 +80,7 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
     return msgspec.structs.replace(
         known,
         status=summary["status"],
-        reason=as_said(
+        reason=logged_sentence(
             _recorded_reason(summary["reason"], about["planned_revolutions"], about["operator"]),
             test.events(),
         ),
@@ -126,7 +126,7 @@ def _measured(result: TestResult, test: TestReader) -> TestResult:
 
 
 def _compared(result: TestResult, test: TestReader) -> TestResult:
-    until = believed_until(test)
+    until = plausible_until(test)
     believed = None if until is None else rows_up_to(test, until, "prediction")
     middle, low, high = (
         _newest(test, f"wear_coefficient{end}", stop=believed) for end in ("", "_low", "_high")

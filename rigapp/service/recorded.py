@@ -23,9 +23,9 @@ from rigapp.schema.wire import json_bytes
 from rigapp.service.registry import kept_of
 from rigapp.service.resumption import read_past, wear_of
 from rigapp.storage import (
-    believed_until,
     finish_whole_test,
     open_test,
+    plausible_until,
     seal_test,
     settle_in_background,
 )
@@ -95,7 +95,7 @@ def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
     """
     with open_test(path) as reader:
         left = reader.checkpoint()
-        if believed_until(reader) is not None:
+        if plausible_until(reader) is not None:
             return left, None
     try:
         test = recorded_test(path).record

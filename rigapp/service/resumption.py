@@ -36,7 +36,7 @@ from rigapp.schema.loglines import (
     specimen_wear,
 )
 from rigapp.schema.states import Refused, refuse_long
-from rigapp.storage import TestReader, believed_until, newest_known, open_test, rows_up_to
+from rigapp.storage import TestReader, newest_known, open_test, plausible_until, rows_up_to
 from rigapp.texts import joined, say
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
@@ -195,7 +195,7 @@ def wear_of(reader: TestReader) -> SpecimenWear | None:
     worn: SpecimenWear | None = None
     for event in reader.events():
         worn = specimen_wear(event) or worn
-    rows, until = reader.committed(), believed_until(reader)
+    rows, until = reader.committed(), plausible_until(reader)
     names = ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
     believed = None if until is None else rows_up_to(reader, until, "prediction")
     table = newest_known(reader, names, FITTED, believed)

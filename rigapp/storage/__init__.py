@@ -18,23 +18,23 @@ from rigapp.storage.reading.blocks import (
     row_numbers,
     rows_up_to,
 )
-from rigapp.storage.reading.export import AS_EVER, Dialect, export_columns, export_test
+from rigapp.storage.reading.export import DEFAULT_DIALECT, Dialect, export_columns, export_test
 from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.reading.resample import on_grid
-from rigapp.storage.reading.seal import broken_seals, seal_words
+from rigapp.storage.reading.seal import broken_seals, seal_description
 from rigapp.storage.reading.streams import Columns, StoredVariable
 from rigapp.storage.reading.trip import (
     LargestForce,
     Trip,
     TripCapture,
     TripPiece,
-    believed_until,
     largest_force,
+    plausible_until,
     trip_capture,
     trip_of,
 )
-from rigapp.storage.reading.verify import NEWEST_BYTES, damage_of, found_damage
-from rigapp.storage.structure.events import as_said
+from rigapp.storage.reading.verify import NEWEST_BYTES, damage_of, find_damage
+from rigapp.storage.structure.events import logged_sentence
 from rigapp.storage.structure.hdf import open_for_reading
 from rigapp.storage.structure.layout import (
     CALIBRATION,
@@ -56,8 +56,8 @@ from rigapp.storage.upkeep.salvage import Salvaged, salvage_test
 from rigapp.storage.writing.writer import TestWriter, create_test
 
 __all__ = [
-    "AS_EVER",
     "CALIBRATION",
+    "DEFAULT_DIALECT",
     "NEWEST_BYTES",
     "PROFILE_ANGLE",
     "SPACE_MARGIN",
@@ -77,8 +77,6 @@ __all__ = [
     "Trip",
     "TripCapture",
     "TripPiece",
-    "as_said",
-    "believed_until",
     "blocks",
     "broken_seals",
     "close_test",
@@ -87,25 +85,27 @@ __all__ = [
     "damage_of",
     "export_columns",
     "export_test",
+    "find_damage",
     "finish_whole_test",
-    "found_damage",
     "hidden_name",
     "hold_writer_lock",
     "largest_force",
+    "logged_sentence",
     "move_into_place",
     "name_and_unit",
     "newest_known",
     "on_grid",
     "open_for_reading",
     "open_test",
+    "plausible_until",
     "profile_rows",
     "reopen_test",
     "reserved_bytes",
     "row_numbers",
     "rows_up_to",
     "salvage_test",
+    "seal_description",
     "seal_test",
-    "seal_words",
     "settle_in_background",
     "streams_of",
     "trimmed_copy",

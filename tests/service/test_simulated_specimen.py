@@ -18,7 +18,7 @@ from rigapp.schema.states import ENDED
 from rigapp.service.host import EngineHost
 from rigapp.service.recorded import last_wear
 from rigapp.service.simulated import SimulatedDevices, parse_speed
-from rigapp.storage import believed_until, open_test
+from rigapp.storage import open_test, plausible_until
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 RIG = EXAMPLES / "simulated.toml"
@@ -89,7 +89,7 @@ def test_the_second_test_of_a_specimen_goes_on_with_its_depth_and_a_moved_probe_
     assert host.engine.status().alarms == ()
     assert any("first.h5" in one.text for one in log(second) if one.kind == "specimen")
     with open_test(second) as reader:
-        assert believed_until(reader) is None
+        assert plausible_until(reader) is None
 
     moved = {"kind": "moved_probe", "channel": "probe_1", "value": 0.5}
     assert host.handle(Request(verb="inject_fault", arguments=moved)).ok
@@ -148,4 +148,4 @@ def test_a_depth_that_jumps_between_stop_and_resume_is_told(
     assert "a probe was moved, or the specimen exchanged" in alarm.cause
     assert "not reliable" in engine.outcome.sentence
     with open_test(out) as reader:
-        assert believed_until(reader) is not None
+        assert plausible_until(reader) is not None

@@ -21,7 +21,7 @@ from rigapp.schema.loglines import (
     rest_signals,
 )
 from rigapp.schema.messages import Alarm, Event, Severity
-from rigapp.storage import as_said, open_test, reopen_test
+from rigapp.storage import logged_sentence, open_test, reopen_test
 from rigapp.texts import Sentence, say
 
 DETAILED = replace(PLAN, event_details=True)
@@ -42,8 +42,8 @@ def test_sentences_of_a_log_keep_their_templates_for_other_languages(tmp_path: P
     assert first.data["cause"].values == {"0": 391, "1": 223.4}
     assert second == typed
     assert type(second.text) is str
-    assert as_said(str(stopped), [first, second]) is first.text
-    assert as_said("never logged", [first, second]) == "never logged"
+    assert logged_sentence(str(stopped), [first, second]) is first.text
+    assert logged_sentence("never logged", [first, second]) == "never logged"
 
 
 def lines() -> list[Event]:

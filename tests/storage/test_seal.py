@@ -24,8 +24,8 @@ from rigapp.storage import (
     damage_of,
     open_test,
     reopen_test,
+    seal_description,
     seal_test,
-    seal_words,
 )
 from rigapp.storage.reading import seal
 from rigapp.storage.upkeep import compact
@@ -146,7 +146,7 @@ def test_a_signed_seal_cannot_be_made_without_the_key(
     monkeypatch.setattr(seal, "key_path", lambda: key)
     path = sealed(quick_folder)
     with open_test(path) as reader:
-        assert "Sealed and signed" in seal_words(reader)
+        assert "Sealed and signed" in seal_description(reader)
     assert faults(path) == []
     with h5py.File(path, "r+") as file:
         scaled_force(file)
@@ -172,7 +172,7 @@ def test_a_stopped_test_is_sealed_as_it_stands_and_again_after_it_went_on(
     assert faults(path) == []
     with open_test(path) as reader:
         assert not reader.compressed
-        assert seal_words(reader).startswith("Sealed, not signed")
+        assert seal_description(reader).startswith("Sealed, not signed")
     with reopen_test(path) as writer:
         assert not seal.beside(path).exists(), "it is that of an end that is none any more"
         write(writer, 61, 80)

@@ -58,7 +58,7 @@ from rigapp.storage import (
     NEWEST_BYTES,
     LargestForce,
     TestReader,
-    found_damage,
+    find_damage,
     largest_force,
     open_test,
     trip_capture,
@@ -324,7 +324,7 @@ def _capital(text: str) -> str:
 def _checksums(reader: TestReader) -> str:
     if not reader.plan.checksums:
         return tr("none, the file is of an older version")
-    damage = list(found_damage(reader, NEWEST_BYTES))
+    damage = list(find_damage(reader, NEWEST_BYTES))
     return (
         tr("DAMAGED: ") + " ".join(damage) if damage else tr("rows, cycles and settings as written")
     )

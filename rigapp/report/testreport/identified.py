@@ -21,8 +21,8 @@ from rigapp.schema.messages import last_set_speed
 from rigapp.storage import (
     StoredColumns,
     TestReader,
-    believed_until,
     open_test,
+    plausible_until,
     rows_up_to,
 )
 from rigapp.texts import as_written, say, sentence_of_error
@@ -125,7 +125,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         "rpm": last_set_speed(speed, quality) if speed.size else 0.0,
     }
     record = ""
-    until = believed_until(reader)
+    until = plausible_until(reader)
     if until is not None:
         after = until if after is None else min(after, until)
     try:

@@ -95,7 +95,7 @@ class Disk:
             touched, self._touched = self._touched or set(), set()
         copy_ranges(self.fd, fd, ((page * PAGE, PAGE) for page in sorted(touched)))
 
-    def go_on_in(self, fd: int) -> None:
+    def switch_to(self, fd: int) -> None:
         """Write to the copy from now on and close the old file; raises OSError before that."""
         with self._writing:
             touched = self._touched or set()

@@ -78,9 +78,9 @@ def _name_of(fd: int) -> str:
     return "" if name.endswith(" (deleted)") else name
 
 
-def places_for(path: Path, fate: PathState) -> Iterator[Path]:
+def places_for(path: Path, state: PathState) -> Iterator[Path]:
     """Yield candidate paths to save a file to, in order of preference."""
-    yield free_name(path) if fate.replaced else path
+    yield free_name(path) if state.replaced else path
     for folder in (Path.home(), Path(tempfile.gettempdir())):
         yield free_name(folder / path.name)
 
@@ -133,18 +133,18 @@ class PathWatcher:
                 ),
                 disk.path,
             )
-        fate = path_state(disk.fd, disk.path)
-        if fate is None:
+        state = path_state(disk.fd, disk.path)
+        if state is None:
             return None
-        words = fate.sentence(disk.path)
+        words = state.sentence(disk.path)
         notice(say("{}; everything in it is being saved.", words))
-        return self._bring_back(fate, words)
+        return self._bring_back(state, words)
 
-    def _bring_back(self, fate: PathState, what: str) -> PathReport:
+    def _bring_back(self, state: PathState, what: str) -> PathReport:
         reasons = []
-        for target in places_for(self._disk.path, fate):
+        for target in places_for(self._disk.path, state):
             try:
-                linked = self._save_as(target, fate.named)
+                linked = self._save_as(target, state.named)
             except UnusableInput as error:
                 reasons.append(sentence_of_error(error))
             except OSError as error:
@@ -198,7 +198,7 @@ class PathWatcher:
                 if not FILES.hold(fd):
                     raise UnusableInput("{}: another process took the new file", target)
                 FILES.settle(fd, hidden, target)
-                disk.go_on_in(fd)
+                disk.switch_to(fd)
                 disk.sync()
             failed.pop_all()
         self._reserve(disk)

@@ -70,7 +70,7 @@ class Dialect:
 
 DECIMALS = (".", ",")
 SEPARATORS = (",", ";", "\t")
-AS_EVER = Dialect()
+DEFAULT_DIALECT = Dialect()
 """Numbers with a point, separated by commas."""
 
 MOST_EXCEL_ROWS = 1_048_576 - 1
@@ -90,7 +90,7 @@ def export_test(
     progress: Progress | None = None,
     points: int | None = None,
     steps: Steps | None = None,
-    dialect: Dialect = AS_EVER,
+    dialect: Dialect = DEFAULT_DIALECT,
 ) -> int:
     """Write a test's statistics or saved cycles to a .csv, .parquet or .xlsx file; return its rows.
 
@@ -120,7 +120,7 @@ def export_test(
         hidden = goal.parent / part_name(goal.name)
         about = {name: str(value) for name, value in reader.metadata().items()}
         ending = goal.suffix.lower()
-        if ending != ".csv" and dialect != AS_EVER:
+        if ending != ".csv" and dialect != DEFAULT_DIALECT:
             raise UnusableInput("{}: --decimal and --separator are of .csv files", goal)
         if ending == ".xlsx":
             if total > MOST_EXCEL_ROWS:

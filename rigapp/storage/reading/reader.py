@@ -23,7 +23,7 @@ from rigapp.storage.reading.resample import Method, resample_channels
 from rigapp.storage.reading.streams import Columns, StreamReader
 from rigapp.storage.structure.digest import SEAL, settings_digest
 from rigapp.storage.structure.events import events_of, first_broken_link, translated
-from rigapp.storage.structure.hdf import open_for_reading, telling_damage
+from rigapp.storage.structure.hdf import open_for_reading, refuse_damage
 from rigapp.storage.structure.layout import (
     CALIBRATION,
     CHECKPOINT_BYTES,
@@ -101,7 +101,7 @@ class TestReader(StreamReader):
         if not rows:
             return None, None
         first, last = (int(self.column("revolution", row, row + 1)[0]) for row in (0, rows - 1))
-        with telling_damage(self.path, say("the number of its safe revolutions")):
+        with refuse_damage(self.path, say("the number of its safe revolutions")):
             if last - first < rows - 1:
                 raise ValueError(say("{} revolutions cannot end at number {}", rows, last))
         return first, last
@@ -289,7 +289,7 @@ class TestReader(StreamReader):
 
     def settings_digest(self) -> str:
         """Return the hexadecimal digest of the data fixed before the first row."""
-        with telling_damage(self.path, CONFIGURATION):
+        with refuse_damage(self.path, CONFIGURATION):
             return settings_digest(self._file, self.plan).decode()
 
     def ending(self) -> list[str]:
@@ -369,7 +369,7 @@ def _refusal(path: Path, message: str) -> str:
 
 
 def _refuse_foreign(path: Path, file: h5py.File) -> None:
-    with telling_damage(path, SCHEMA_ATTRIBUTE):
+    with refuse_damage(path, SCHEMA_ATTRIBUTE):
         schema = file.attrs.get(SCHEMA_ATTRIBUTE)
         schema = None if schema is None else int(schema)
     if schema is None:

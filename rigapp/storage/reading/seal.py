@@ -246,7 +246,7 @@ def _signed(seal: Seal) -> bool:
     return True
 
 
-def seal_words(reader: TestReader) -> str:
+def seal_description(reader: TestReader) -> str:
     """Return a description of a file's seal."""
     text: str | bytes = reader.seal_text()
     if not text and has_seal_beside(reader.path):

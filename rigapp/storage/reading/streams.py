@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rigapp.config.errors import UnusableInput
 from rigapp.storage.filesystem.system import FILES
-from rigapp.storage.structure.hdf import is_bare, telling_damage
+from rigapp.storage.structure.hdf import is_bare, refuse_damage
 from rigapp.storage.structure.layout import (
     CHECKPOINT_SLOTS,
     CHECKSUMS,
@@ -60,7 +60,7 @@ class StreamReader:
         self.path = path
         self._file = file
         self._known: dict[str, int] = {}
-        with telling_damage(path, say("its plan")):
+        with refuse_damage(path, say("its plan")):
             plan = msgspec.json.decode(self._text(PLAN), type=FilePlan)
             # The plan's entry may be damaged; the datasets show whether there are checksums.
             self.plan = replace(plan, checksums=plan.checksums or _proves(file))
@@ -86,7 +86,7 @@ class StreamReader:
     @property
     def compressed(self) -> bool:
         """Return whether the file is the trimmed, compressed copy of a finished test."""
-        with telling_damage(self.path, FORM_ATTRIBUTE):
+        with refuse_damage(self.path, FORM_ATTRIBUTE):
             return bool(self._file.attrs[FORM_ATTRIBUTE] == COMPRESSED)
 
     def committed(self, stream: str = "revolutions") -> int:
@@ -107,7 +107,7 @@ class StreamReader:
         if stream in self._known:
             return self._known[stream]
         rows = int(self._read(layout.path(layout.counter)))
-        with telling_damage(self.path, layout.path(layout.counter)):
+        with refuse_damage(self.path, layout.path(layout.counter)):
             if rows < 0:
                 raise ValueError(say("rows {} to {} are requested and there are fewer", 0, rows))
         with contextlib.suppress(UnusableInput):  # this entry may itself be damaged
@@ -185,7 +185,7 @@ class StreamReader:
     def declared(self, stream: str) -> int:
         """Return the number of rows declared for a stream in this file."""
         layout = self._streams[stream]
-        with telling_damage(self.path, layout.group):
+        with refuse_damage(self.path, layout.group):
             first = layout.fields[0]
             dataset = self._file[layout.path(first.name)]
             return len(dataset) if self.compressed else _room_of(dataset) // first.row_bytes
@@ -196,7 +196,7 @@ class StreamReader:
         stream: as in ``streams_of``; ``prediction`` excludes its curves and profiles.
         """
         layout, rows = self._streams[stream], self.committed(stream)
-        with telling_damage(self.path, layout.group):
+        with refuse_damage(self.path, layout.group):
             return tuple(
                 StoredVariable(
                     field.name,
@@ -236,7 +236,7 @@ class StreamReader:
 
     def texts(self) -> Iterator[tuple[str, str]]:
         """Yield every text of the file with its path, except the lines of the log."""
-        with telling_damage(self.path, say("its texts")):
+        with refuse_damage(self.path, say("its texts")):
             yield from texts_of(self._file)
 
     def _table(self, stream: str, first: int) -> Columns:
@@ -252,7 +252,7 @@ class StreamReader:
         Rows beyond the visible length are read at their offset in the file: they are not committed,
         or were committed after this file was opened.
         """
-        with telling_damage(self.path, path):
+        with refuse_damage(self.path, path):
             dataset = self._file[path]
             if end > len(dataset) and dataset.chunks is None:
                 return self._placed_rows(dataset, first, end)
@@ -275,23 +275,23 @@ class StreamReader:
 
     def _read(self, path: str) -> Any:
         """Return a dataset; raise UnusableInput where the file is damaged."""
-        with telling_damage(self.path, path):
+        with refuse_damage(self.path, path):
             return self._file[path][()]
 
     def _text(self, path: str) -> str:
         value = self._read(path)
-        with telling_damage(self.path, path):
+        with refuse_damage(self.path, path):
             return value.decode() if isinstance(value, bytes) else str(value)
 
     def _state_text(self, name: str) -> str:
         return self._text(f"{STATE}/{name}")
 
     def _holds(self, path: str) -> bool:
-        with telling_damage(self.path, path):
+        with refuse_damage(self.path, path):
             return path in self._file
 
     def _below(self, group: str) -> dict[str, Any]:
-        with telling_damage(self.path, group):
+        with refuse_damage(self.path, group):
             return _tree(self._file[group])
 
 

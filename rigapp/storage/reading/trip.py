@@ -20,7 +20,7 @@ from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import Event, FinishReason, Flag, Severity
 from rigapp.storage.reading.blocks import blocks, rows_up_to
 from rigapp.storage.reading.reader import StoredCycle, TestReader
-from rigapp.storage.structure.events import as_said
+from rigapp.storage.structure.events import logged_sentence
 
 OVERLOAD, BEYOND_RANGE, NO_FORCE = "overload", "overload:beyond_range", "saturated"
 RESUMED, STOOD = "resumed", "stopped"
@@ -30,7 +30,7 @@ SPEED_OVER_DEG = 5.0
 TRIGGER_N = 0.2
 """Tolerance of the trigger: a force is compared unrounded, and stored in the amplifier's steps,
 about 0.1 N apart."""
-SWUNG_DEG = 1.0
+REVERSAL_DEG = 1.0
 """Reversal of the crank that counts as a swing; a dithering encoder edge causes less."""
 
 
@@ -136,7 +136,7 @@ def trip_of(test: TestReader) -> Trip | None:
 def _forwards(cycle: StoredCycle) -> StoredCycle | None:
     """Return a revolution up to the first reversal of the crank; None without a force."""
     angle = cycle.columns["angle"]
-    back = np.flatnonzero(np.maximum.accumulate(angle) - angle > SWUNG_DEG)
+    back = np.flatnonzero(np.maximum.accumulate(angle) - angle > REVERSAL_DEG)
     stop = int(back[0]) if back.size else len(angle)
     columns = {name: values[:stop] for name, values in cycle.columns.items()}
     return replace(cycle, columns=columns) if np.isfinite(columns["force"]).any() else None
@@ -210,7 +210,7 @@ def trip_capture(test: TestReader) -> TripCapture | None:
         result,
         pieces,
         _currents(test, cycle.table, zero, pieces[0].time_s[0]),
-        as_said(str(test.summary()["reason"]), events),
+        logged_sentence(str(test.summary()["reason"]), events),
         happened,
         reached_standstill[0] - happened if reached_standstill else math.nan,
         _turned_s(result, cycle, zero),
@@ -329,7 +329,7 @@ def _of_part(part: StoredCycle) -> LargestForce:
     return LargestForce(float(force[index]), part.revolution, angle, complete=False)
 
 
-def believed_until(reader: TestReader) -> int | None:
+def plausible_until(reader: TestReader) -> int | None:
     """Return the last revolution whose measured wear depth is plausible, None where all are.
 
     The alarm comes some revolutions late, since the twin lags: depths nearer to that of the alarm
@@ -339,11 +339,11 @@ def believed_until(reader: TestReader) -> int | None:
         change = alarm_change(event)
         if change is None or change.what != "raised" or event.key not in UNBELIEVED:
             continue
-        return _last_believed(reader, event.revolution, change.value)
+        return _last_plausible(reader, event.revolution, change.value)
     return None
 
 
-def _last_believed(reader: TestReader, revolution: int, value_um: float | None) -> int:
+def _last_plausible(reader: TestReader, revolution: int, value_um: float | None) -> int:
     """Return the last revolution whose depth is nearer to the newest one than to ``value_um``."""
     if value_um is None:
         return 0

@@ -13,7 +13,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.storage.reading.reader import TestReader, open_test
 from rigapp.storage.reading.streams import StreamReader
 from rigapp.storage.structure.checksum import cycle_checksum, row_checksums
-from rigapp.storage.structure.hdf import telling_damage
+from rigapp.storage.structure.hdf import refuse_damage
 from rigapp.texts import joined, say, sentence_of_error
 
 ROWS_AT_ONCE = 1 << 14
@@ -29,14 +29,14 @@ def damage_of(path: str | os.PathLike[str]) -> list[str]:
     Raises UnusableInput where the file cannot be read at all.
     """
     with open_test(Path(path)) as reader:
-        return list(found_damage(reader))
+        return list(find_damage(reader))
 
 
 NEWEST_BYTES = 128 << 20
 """Bytes of each stream to check where a whole file would take minutes: 400,000 rows, 700 cycles."""
 
 
-def found_damage(reader: TestReader, newest_bytes: int | None = None) -> Iterator[str]:
+def find_damage(reader: TestReader, newest_bytes: int | None = None) -> Iterator[str]:
     """Yield a sentence for each part of an open file that a checksum does not confirm.
 
     newest_bytes: bytes to check at the end of each stream, None: all. Parts of an older file that
@@ -99,7 +99,7 @@ def wrong_rows(reader: StreamReader, stream: str, first: int, stop: int) -> NDAr
     for start in range(first, stop, ROWS_AT_ONCE):
         end = min(stop, start + ROWS_AT_ONCE)
         columns, stored = reader.raw_rows(stream, start, end)
-        with telling_damage(reader.path, say("its plan")):  # columns may contradict it
+        with refuse_damage(reader.path, say("its plan")):  # columns may contradict it
             crcs = row_checksums(reader.fields(stream), columns, end - start)
         result.append(np.flatnonzero(crcs != stored) + start)
     return np.concatenate(result)

@@ -38,7 +38,7 @@ TEXTS = ("text", "before", "after", "data")
 _HASHED = ("kind", "source", "text", "before", "after", "key", "level", "data")
 
 
-SAID = "said"
+SENTENCES_KEY = "said"
 """Key of ``data``: templates and values of an event's sentences, for translation."""
 ASKED_KINDS = frozenset({"note", "command", "limit_changed", "zero", "viewer"})
 OWN_ALARMS = "engine"
@@ -103,7 +103,7 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
         codes = {name: row[name] for name in CODES if name in row}
         texts = {k: v.decode(errors="replace") for k, v in (codes | open_texts).items()}
         data = _decoded(texts.pop("data"))
-        sentences = _sentences(data.pop(SAID, ()))
+        sentences = _sentences(data.pop(SENTENCES_KEY, ()))
         texts["text"] = sentences.get(texts["text"], texts["text"])
         data = {key: sentences.get(v, v) if isinstance(v, str) else v for key, v in data.items()}
         result.append(Event(row["time"], row["revolution"], data=data, **texts))
@@ -111,7 +111,7 @@ def events_of(columns: Mapping[str, NDArray[Any]]) -> list[Event]:
     return result
 
 
-def as_said(text: str, events: Iterable[Event]) -> str:
+def logged_sentence(text: str, events: Iterable[Event]) -> str:
     """Return the translatable sentence of the log for a text of a file, else the text itself."""
     return next((event.text for event in reversed([*events]) if event.text == text), text)
 
@@ -147,7 +147,7 @@ def _encoded(event: Event) -> str:
         for text in (event.text, *event.data.values())
         if isinstance(text, Sentence) and _has_words(text)
     ]
-    data = {**event.data, SAID: parts} if parts else event.data
+    data = {**event.data, SENTENCES_KEY: parts} if parts else event.data
     return json_bytes(data).decode() if data else ""
 
 

@@ -25,9 +25,9 @@ NOT_A_VARIABLE = "This is a netCDF dimension but not a netCDF variable. "
 
 OWN_FILTERS = frozenset((h5z.FILTER_DEFLATE, h5z.FILTER_SHUFFLE, h5z.FILTER_FLETCHER32))
 """Filters that this program writes, all of them within HDF5."""
-MOST_OBJECTS = 10_000
+MAX_OBJECTS = 10_000
 """Maximum number of groups and datasets in a file; one of the simulated rig has 366."""
-MOST_SWELLING = 200
+MAX_EXPANSION = 200
 """Maximum expansion factor of compressed data. Tests of the simulated rig have 1, one of 20,000
 revolutions with identical rows 25; the filter itself could reach 1,032."""
 SMALL = 1 << 20
@@ -72,7 +72,7 @@ class _Link:
 
 def refuse_traps(path: Path, file: h5py.File) -> None:
     """Raise UnusableInput where an object refers to another file or expands excessively."""
-    with telling_damage(path, say("its tree")):
+    with refuse_damage(path, say("its tree")):
         trap = _first_trap(file, path.stat().st_size)
     if trap:
         raise UnusableInput(
@@ -94,8 +94,8 @@ def _first_trap(file: h5py.File, size: int) -> str:
             if link.address in seen:
                 return say("{} is in two places", _shown(path))
             seen.add(link.address)
-            if len(seen) > MOST_OBJECTS:
-                return say("it has more than {} groups and datasets", MOST_OBJECTS)
+            if len(seen) > MAX_OBJECTS:
+                return say("it has more than {} groups and datasets", MAX_OBJECTS)
             # A damaged object is harmless here: reading it raises an error.
             with contextlib.suppress(OSError, RuntimeError, LookupError, ValueError, TypeError):
                 item = h5o.open(group, name)
@@ -109,7 +109,7 @@ def _first_trap(file: h5py.File, size: int) -> str:
                     if trap := _trap(item, length):
                         return say("{} {}", _shown(path), trap)
                     claimed += length if item.get_storage_size() else 0
-    if claimed > MOST_SWELLING * size + SMALL:
+    if claimed > MAX_EXPANSION * size + SMALL:
         return say("its {:.1f} MB would become {:.0f} MB", 1e-6 * size, 1e-6 * claimed)
     return ""
 
@@ -161,7 +161,7 @@ def _trap(dataset: h5d.DatasetID, length: int) -> str:
 
 
 @contextlib.contextmanager
-def telling_damage(path: Path, what: str) -> Iterator[None]:
+def refuse_damage(path: Path, what: str) -> Iterator[None]:
     """Convert errors of a block that reads a damaged file into UnusableInput.
 
     what: the part of the file. HDF5 and NumPy raise many kinds of error, depending on the damage.

@@ -26,11 +26,11 @@ from rigapp.storage.filesystem.folder import (
 from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.reader import TestReader, open_test
 from rigapp.storage.reading.seal import Seal, beside, make_seal, write_beside
-from rigapp.storage.reading.verify import found_damage
+from rigapp.storage.reading.verify import find_damage
 from rigapp.storage.structure.digest import SEAL
 from rigapp.storage.structure.layout import streams_of
 from rigapp.storage.upkeep.duplicate import first_difference, open_copy, write_duplicate
-from rigapp.storage.upkeep.resume import let_go, open_exclusively
+from rigapp.storage.upkeep.resume import close_exclusive, open_exclusively
 from rigapp.texts import say
 
 
@@ -48,7 +48,7 @@ def compact_test(path: str | os.PathLike[str]) -> bool:
             return False
     fd = open_exclusively(target)
     with contextlib.ExitStack() as undo:
-        undo.callback(let_go, fd)
+        undo.callback(close_exclusive, fd)
         with open_test(target) as reader:
             _refuse_unended(reader)
             if reader.compressed:
@@ -95,7 +95,7 @@ def trimmed_copy(path: str | os.PathLike[str], to: Path) -> None:
     with open_test(Path(path)) as reader:
         if reader.summary()["status"] == "running":
             raise UnusableInput("{}: the test is running; wait for its end", reader.path)
-        if damage := next(found_damage(reader), ""):
+        if damage := next(find_damage(reader), ""):
             raise UnusableInput(
                 "{}: the file is damaged ‹{}›; recover the intact data: rigapp salvage FILE --to"
                 " NEW.h5",
@@ -137,7 +137,7 @@ def _verified_copy(reader: TestReader) -> tuple[Path, Seal]:
     hidden = hidden_name(target, "packed")
     sizes = sizes_of(reader)
     # The new checksums of the copy would hide damage permanently.
-    if damage := next(found_damage(reader), ""):
+    if damage := next(find_damage(reader), ""):
         raise StorageFailed(
             "{}: the file is damaged and is not changed ‹{}›; recover the intact data:"
             " rigapp salvage FILE --to NEW.h5",

@@ -21,10 +21,10 @@ from rigapp.storage.filesystem.system import FILES
 from rigapp.storage.reading.blocks import rows_up_to
 from rigapp.storage.reading.reader import StoredCycle, TestReader, open_test
 from rigapp.storage.reading.seal import beside
-from rigapp.storage.reading.verify import NEWEST_BYTES, found_damage, wrong_rows
+from rigapp.storage.reading.verify import NEWEST_BYTES, find_damage, wrong_rows
 from rigapp.storage.structure.checksum import cycle_checksum
 from rigapp.storage.structure.events import seed_of
-from rigapp.storage.structure.hdf import telling_damage
+from rigapp.storage.structure.hdf import refuse_damage
 from rigapp.storage.structure.layout import WAITING_FIELDS, FilePlan, planned_rows
 from rigapp.storage.writing.create import Places, fitted_streams, places_of, reserve_stream
 from rigapp.storage.writing.streams import Counts
@@ -150,13 +150,13 @@ def _writer_at_end(
     """Return a writer after the committed rows, and the last revolution; raises UnusableInput."""
     fd = open_exclusively(path)
     with contextlib.ExitStack() as undo:
-        undo.callback(let_go, fd)
+        undo.callback(close_exclusive, fd)
         with open_test(path) as reader:
             if FILES.is_taken(path, reader.writer()):
                 raise _written_elsewhere(path)
             _refuse_finished(reader)
             places = _sound_places(path, reader.plan)
-            damage = list(found_damage(reader, NEWEST_BYTES))
+            damage = list(find_damage(reader, NEWEST_BYTES))
             if damage:
                 raise UnusableInput(
                     "{}: the file is damaged ‹{}›; recover the intact data with rigapp salvage"
@@ -180,7 +180,7 @@ def _writer_at_end(
 
 def _sound_places(path: Path, plan: FilePlan) -> Places:
     """Return the offsets of the datasets; raise UnusableInput where one overlaps another."""
-    with telling_damage(path, say("its structure")):
+    with refuse_damage(path, say("its structure")):
         places, end = places_of(path), 0
         fitted_streams(plan, places)
         for name, (offset, size) in sorted(places.items(), key=lambda item: item[1]):
@@ -212,12 +212,12 @@ def open_exclusively(path: Path) -> int:
     try:
         _refuse_replaced(path, fd)
     except BaseException:
-        let_go(fd)
+        close_exclusive(fd)
         raise
     return fd
 
 
-def let_go(fd: int) -> None:
+def close_exclusive(fd: int) -> None:
     """Close a file that was opened exclusively."""
     FILES.release(fd)
     os.close(fd)

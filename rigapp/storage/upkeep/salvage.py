@@ -30,7 +30,7 @@ from rigapp.texts import say
 SIGNATURE = b"\x89HDF\r\n\x1a\n"
 END_OF_FILE = {0: 40, 1: 44, 2: 28, 3: 28}
 """Version of an HDF5 superblock -> offset of the file's length in it, 8 bytes."""
-FEWEST = 16
+MIN_ROWS = 16
 """Rows that are discarded together where one of them cannot be read."""
 
 Rows = NDArray[np.int64]
@@ -186,7 +186,7 @@ def _sound_of(reader: TestReader, stream: str, first: int, stop: int) -> Rows:
             return np.arange(first, stop)
         wrong = wrong_rows(reader, stream, first, stop)
     except UnusableInput:
-        if stop - first <= FEWEST:
+        if stop - first <= MIN_ROWS:
             return np.empty(0, np.int64)
         middle = (first + stop) // 2
         halves = (_sound_of(reader, stream, *part) for part in ((first, middle), (middle, stop)))

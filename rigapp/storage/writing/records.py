@@ -100,10 +100,10 @@ class CycleWriter:
         with self._lock:
             slot = self._held % stream.capacity
             self._held += 1
-            self._backlog.put_later(_size(values), partial(self._place_held, slot, values, row))
+            self._backlog.put_later(_size(values), partial(self._place_waiting, slot, values, row))
         self._backlog.assist(2)
 
-    def _place_held(
+    def _place_waiting(
         self, slot: int, values: Mapping[str, NDArray[Any]], row: dict[str, ArrayLike]
     ) -> None:
         stream = self._streams["waiting"]

@@ -20,7 +20,7 @@ from rigapp.texts import say
 
 Float = NDArray[np.float64]
 Offsets = dict[str, int]
-FEWEST_SHOWN = 1
+MIN_LENGTH = 1
 """HDF5 regards a dataset with an offset and no length as damaged."""
 GROWTH_ROWS = 4096  # reserved together, so that system calls are rare
 
@@ -66,7 +66,7 @@ class Capacity:
         if not self._lengths or min(rows + self._ahead // 2, most) <= self._reached:
             return []
         first = max(rows, self._reached)
-        self._reached = max(FEWEST_SHOWN, min(rows + self._ahead, most))
+        self._reached = max(MIN_LENGTH, min(rows + self._ahead, most))
         count = self._reached - first
         return [
             (
@@ -86,7 +86,7 @@ class Capacity:
 
     def end(self, rows: int) -> None:
         """Make exactly ``rows`` rows visible to other programs; raises StorageFailed."""
-        self._reached = max(FEWEST_SHOWN, rows)
+        self._reached = max(MIN_LENGTH, rows)
         self.show()
 
     def holds(self, rows: int) -> bool:
