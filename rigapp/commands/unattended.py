@@ -395,7 +395,7 @@ def _ran(program: str, *arguments: str) -> bool:
 
 
 def _lingers() -> bool:
-    """Tell whether the user's units run without a login; True where unknown."""
+    """Return whether the user's units run without a login; True where unknown."""
     if shutil.which("loginctl") is None:
         return True
     try:

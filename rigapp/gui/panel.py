@@ -1,7 +1,7 @@
-"""What a panel is, and what it may request from its window.
+"""Interface of a panel, and the requests that it may make to its window.
 
 A tab is a row of ``window.tabs.TABS``; its page is made by a function whose argument is the window
-as a ``Host``. Whatever draws on the page is a ``Panel``, which receives the news.
+as a ``Host``. Each widget that draws on the page is a ``Panel``, which receives the news.
 """
 
 from __future__ import annotations
@@ -30,34 +30,34 @@ class Panel(Protocol):
     takes: Takes
 
     def isVisible(self) -> bool:
-        """Tell whether it can be seen."""
+        """Return whether the panel is visible."""
         ...
 
     def show_news(self, news: News) -> None:
-        """Draw what has changed; called when ``takes`` says."""
+        """Draw what has changed; called as ``takes`` specifies."""
         ...
 
 
 @runtime_checkable
 class Themed(Protocol):
-    """A panel that has colours of its own."""
+    """A panel that draws its own colours."""
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         ...
 
 
 @runtime_checkable
 class ThemedInParts(Protocol):
-    """A large page, whose parts are put in a theme one after the other."""
+    """A large page whose parts are themed one after the other."""
 
     def parts(self) -> list[QWidget]:
-        """Return the parts; nothing beside them needs the theme."""
+        """Return all parts that need the theme."""
         ...
 
 
 class StallCounter(Protocol):
-    """How often and how long the window did not respond."""
+    """Number and length of stalls of the window."""
 
     stalls: int
     worst_s: float
@@ -68,7 +68,7 @@ Read = Callable[[int, Callable[[StoredRevolution], None], Callable[[Exception], 
 
 
 class Act(enum.StrEnum):
-    """What a panel may request from the window."""
+    """Action that a panel may request from the window."""
 
     TRY = "try"
     PREPARE = "prepare"
@@ -94,14 +94,13 @@ class Panels(dict[str, "Panel"]):
 
 @dataclass(frozen=True, slots=True)
 class Host:
-    """The window, as the makers of pages see it.
+    """Interface of the window for the functions that make pages.
 
     ask: send a request to the engine; the window shows the answer. say: show a sentence with the
     answers, and whether it reports success. read_revolution: read the saved cycle nearest to a
-    revolution. results: the recorded tests. do: open a page, begin something. help: show a section
-    of docs/troubleshooting.md, by its anchor. preferences: the user's choices. wear: computes what
-    is known of the wear. rig: the rig file, None in a replay. keys: each key of the window, and
-    what it does.
+    revolution. results: the recorded tests. do: perform an action. help: show a section of
+    docs/troubleshooting.md, by its anchor. preferences: of the user. wear: evaluates the wear. rig:
+    the rig file, None in a replay. keys: each key of the window and its action.
     """
 
     theme: Theme
@@ -125,6 +124,6 @@ class Host:
         return self.results.folder
 
     def add(self, name: str, panel: Added) -> Added:
-        """Send a panel the news from now on, and apply the theme; return it."""
+        """Register a panel for news, apply the theme to it, and return it."""
         self.panels[name] = panel
         return panel

@@ -117,7 +117,7 @@ def release_calibration(
 def _may_end(
     rig: Path, calibration: OpenCalibration | None, sure: bool, read: Callable[[str], str]
 ) -> bool:
-    """Tell whether an open calibration shall end; raise UnusableInput where not."""
+    """Return whether an open calibration shall end; raise UnusableInput where not."""
     if calibration is None:
         print(f"{rig}: no calibration is open.")
         return False

@@ -23,8 +23,8 @@ from rigapp.presentation.translation import ENGLISH, speak
 def chosen_language(wanted: str, system: Sequence[str] | None = None) -> str:
     """Return the code of the language to show.
 
-    wanted: as chosen by the user, empty: as the system. system: its languages, the best first
-    (``de-DE``), by default those of Qt. English where there is a catalogue of none of them.
+    wanted: the user's choice, empty: as the system. system: its languages in order of preference
+    (``de-DE``), by default those of Qt. English where none of them has a catalogue.
     """
     requested = (
         [wanted] if wanted else system if system is not None else QLocale.system().uiLanguages()

@@ -41,7 +41,7 @@ ON_TERMINALS: Final = (
     "rigapp/analysis", "rigapp/cli", "rigapp/commands", "rigapp/page", "rigapp/publishing",
     "rigapp/start",
 )  # fmt: skip
-"""Packages of which the window shows nothing."""
+"""Packages without texts that the window shows."""
 
 WORD: Final = re.compile(r"[^\W\d_]{2,}")
 NAMES: Final = {"rigapp", "rpm", "mm", "µm", "Hz", "kHz", "ms", "min", "px"}
@@ -58,7 +58,7 @@ SYSTEM: Final = (
     "Operation not permitted", "Permission denied", "Read-only file system",
     "Resource temporarily unavailable", "Stale file handle", "Too many open files", "timed out",
 )  # fmt: skip
-"""Errors of the operating system, which sentences have as values."""
+"""Errors of the operating system, which are values of sentences."""
 
 LIBRARIES: Final = (
     "Cannot overwrite a value", "Expected '=' after a key in a key/value pair",
@@ -89,11 +89,11 @@ UNITS: Final = (
     "um per 1000 revolutions",
     "a share of 1",
 )  # fmt: skip
-"""Units that are words."""
+"""Units written as words."""
 
 
 def has_words(text: str) -> bool:
-    """Tell whether a text says something; symbols, numbers, units and single letters do not."""
+    """Return whether a text needs translation, unlike symbols, numbers, units or single letters."""
     return any(word not in NAMES for word in WORD.findall(text))
 
 
@@ -102,9 +102,9 @@ def without_braces(template: str) -> str:
     return re.sub(r"\{[^{}]*\}", "", template)
 
 
-@cache  # the whole source is read, which takes seconds
+@cache  # reading the whole source takes seconds
 def module_sentences() -> tuple[tuple[str, Text], ...]:
-    """Return the module and the template of each sentence, without its details and its edges."""
+    """Return module and template of each sentence, without details and surrounding space."""
     paths = {
         path.relative_to(ROOT).with_suffix("").as_posix(): path
         for source in ("drivers", "model", "calibration", "rigapp")
@@ -172,12 +172,12 @@ SOURCES: Final = (
     Path(viewer.__file__).parent,
     Path(translation.__file__).parent,
 )
-"""The window, its view of a test, and the words that it shares with others."""
+"""The window, its view of a test, and texts shared with other packages."""
 REPORT: Final = (
     *(Path(__file__).parents[2] / "report" / folder for folder in ("page", "testreport")),
     Path(translation.__file__).parent,
 )
-"""The report, whose functions have other names for texts than the window's."""
+"""The report, whose functions for texts have other names than the window's."""
 
 MARK: Final = "Text"
 SHOWN_AS_IT_IS: Final = frozenset(
@@ -188,17 +188,17 @@ SHOWN_AS_IT_IS: Final = frozenset(
         "setTabToolTip", "setText", "setTitle", "setToolTip", "setWindowTitle",
     }
 )  # fmt: skip
-"""What Qt and the plots show without ``tr``: a literal passed to them is never translated."""
+"""Functions of Qt and the plots that show literals without ``tr``, so never translated."""
 
 Place = tuple[str, int]
-"""Module and line."""
+"""Module and line of a text."""
 
 
 @dataclass(slots=True)
 class Texts:
-    """The texts with their places, and what no catalogue can contain.
+    """The texts with their places in the source, and those that no catalogue can contain.
 
-    loose: literals that are shown as they are, sentences put together without braces.
+    loose: literals shown untranslated, and sentences composed without braces.
     """
 
     texts: dict[str, Place] = field(default_factory=dict)
@@ -207,7 +207,7 @@ class Texts:
 
 @dataclass(frozen=True, slots=True)
 class Taken:
-    """A parameter or field with its annotation. rest: it takes all further arguments."""
+    """A parameter or field with its annotation. rest: it receives all further arguments."""
 
     name: str
     annotation: ast.expr | None
@@ -215,7 +215,7 @@ class Taken:
 
 
 class _Marks:
-    """Which parameters of which functions and classes are texts, by their names."""
+    """Record which parameters of functions and classes are texts, by name."""
 
     def __init__(self, modules: dict[str, ast.Module]) -> None:
         self.aliases: dict[str, ast.expr] = {MARK: ast.Name(MARK)}
@@ -242,7 +242,7 @@ class _Marks:
             self.parameters[name].append(taken)
 
     def is_text(self, annotation: ast.expr | None) -> bool:
-        """Tell whether an annotation contains texts."""
+        """Return whether an annotation contains texts."""
         return annotation is not None and _names(annotation, *self.aliases)
 
 
@@ -334,7 +334,7 @@ class _Reader(ast.NodeVisitor):
         return function.id if isinstance(function, ast.Name) else ""
 
     def _take(self, annotation: ast.expr | None, value: ast.expr) -> None:
-        """Take the texts of a value by its annotation; both are followed into their parts."""
+        """Collect the texts of a value by its annotation, descending into both."""
         if annotation is None or not self._marks.is_text(annotation):
             return
         match annotation, value:
@@ -382,7 +382,7 @@ class _Reader(ast.NodeVisitor):
 
 @cache
 def texts_of(*sources: Path) -> Texts:
-    """Return the texts in the modules below folders, of the program without any."""
+    """Return the texts of the modules below folders; without folders, of the program."""
     modules = {
         path.relative_to(source.parent).as_posix(): ast.parse(path.read_text("utf-8"))
         for source in sources or SOURCES
@@ -395,7 +395,7 @@ def texts_of(*sources: Path) -> Texts:
 
 
 def texts_of_tables() -> list[Text]:
-    """Return the words of the engine that the window shows, days and months."""
+    """Return the texts of the engine's tables that the window shows, and days and months."""
     words = [state.value for state in RunState] + [verb.replace("_", " ") for verb in VERBS]
     words += [*WORDS, *WORDS.values()]
     words += [ending.value for ending in HowEnded]

@@ -14,7 +14,7 @@ from rigapp.schema.units import stem_of
 from rigapp.texts import capitalised
 
 ENDINGS: Final = sorted(STATISTICS, key=len, reverse=True)
-"""Ends of the columns of a channel, the longest first."""
+"""Suffixes of a channel's columns, the longest first."""
 
 
 def key_name(key: str) -> Text:
@@ -25,7 +25,7 @@ def key_name(key: str) -> Text:
 
 
 def key_texts() -> Iterator[Text]:
-    """Yield the names of the keys of a test file, what their values mean, and their choices."""
+    """Yield the names, meanings and choices of the keys of a test file."""
     for key in keys_of(TestFile):
         yield key_name(key.path.rsplit(".", 1)[-1])
         yield key.words
@@ -33,7 +33,7 @@ def key_texts() -> Iterator[Text]:
 
 
 def column_texts() -> Iterator[Text]:
-    """Yield the words for columns that belong to no channel, without their statistics."""
+    """Yield the names of columns without a channel, without their statistics."""
     for column in quantities(BASE):
         ending = next((statistic for statistic in ENDINGS if column.endswith(f"_{statistic}")), "")
         name = column.removesuffix(f"_{ending}")

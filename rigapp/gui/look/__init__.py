@@ -1,4 +1,4 @@
-"""How the window looks: one table of colours and sizes, a font, icons, and the style sheet of them.
+"""Appearance of the window: a table of colours and sizes, a font, icons, and a style sheet.
 
-It imports no widget of rigapp; what paints receives a ``tokens.Theme``.
+It imports no widget of rigapp; painting code receives a ``tokens.Theme``.
 """

@@ -1,7 +1,7 @@
 """Apply a theme to the application: style, palette, font and the plots' defaults.
 
 Each part of the window sets the style sheet on itself (``dress_part``), and its dialogs inherit it.
-Set on the whole window it would block everything for a quarter of a second at each change, on the
+Setting it on the whole window would block for a quarter of a second at each change, on the
 application for up to half a second.
 """
 
@@ -155,8 +155,8 @@ QLabel[role="secondary"] { color: $secondary; }
 
 
 OUTLINE_DARKER = 140
-"""Percent by which Fusion draws the outline of a check box darker than its window: in a dark theme
-an empty one would be invisible."""
+"""Percent by which Fusion darkens the outline of a check box; unchecked boxes would be invisible in
+a dark theme."""
 
 
 @cache
@@ -208,9 +208,9 @@ def qt_palette(theme: Theme) -> QPalette:
 
 
 def apply_theme(application: QApplication, theme: Theme) -> None:
-    """Apply a theme to the application and the plots made from now on.
+    """Apply a theme to the application and to plots made later.
 
-    Style and font are set once: setting them again polishes every widget again.
+    Style and font are set only once, since each setting polishes every widget.
     """
     if application.style().objectName() != "fusion":
         application.setStyle("Fusion")

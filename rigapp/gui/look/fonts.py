@@ -1,7 +1,7 @@
-"""The font of the window: Inter, with figures of one width, so that a changing number keeps still.
+"""The font of the window: Inter, with tabular figures, so that a changing number does not move.
 
-The package has Inter as one file of all weights, of which a style sheet reaches only the normal one
-(Qt 6.11). Its semi-bold is therefore a file beside this module (OFL 1.1), made by
+The package has Inter as a variable font, of which a style sheet can select only the normal weight
+(Qt 6.11). The semi-bold weight is therefore a file beside this module (OFL 1.1), made by
 ``fonttools varLib.instancer "Inter[opsz,wght].ttf" wght=600 opsz=14`` and ``fonttools subset``.
 """
 
@@ -19,7 +19,7 @@ SEMI_BOLD = Path(__file__).with_name("Inter-SemiBold.ttf")
 
 
 def window_font() -> QFont:
-    """Return the font of the window in its usual size; the desktop's own where Inter fails."""
+    """Return the font of the window in its usual size; the desktop's own where Inter is missing."""
     font = QFont()
     if FAMILY in QFontDatabase.families() or _loaded():
         font.setFamily(FAMILY)
@@ -28,7 +28,7 @@ def window_font() -> QFont:
 
 
 def tabular(font: QFont) -> QFont:
-    """Return a font whose figures are all of one width."""
+    """Return a font with tabular figures."""
     copy = QFont(font)
     copy.setFeature(QFont.Tag("tnum"), 1)
     return copy

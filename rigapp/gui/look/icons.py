@@ -1,4 +1,4 @@
-"""The icons by what they mean; one set (Phosphor), drawn in a colour of the theme."""
+"""Icons by meaning, from one set (Phosphor), drawn in a colour of the theme."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def icon(meaning: Icon, colour: str, disabled: str | None = None) -> QIcon:
 
 @cache
 def _phosphor() -> IconicFont:
-    """Load the one set that is used; the package's own function loads all twelve."""
+    """Load only the set in use; the package's own function loads all twelve."""
     fonts = Path(qtawesome.__file__).parent / "fonts"
     font, names = (next(fonts.glob(f"phosphor-*.{ending}")).name for ending in ("ttf", "json"))
     return IconicFont(("ph", font, names))

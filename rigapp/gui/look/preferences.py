@@ -11,7 +11,7 @@ from rigapp.presentation.tokens import THEMES, Theme
 
 
 class Preference(enum.StrEnum):
-    """Name what can be chosen; the value is its key in the user's settings."""
+    """Name a preference; the value is its key in the user's settings."""
 
     THEME = "theme"
     LANGUAGE = "language"
@@ -22,17 +22,17 @@ class Preference(enum.StrEnum):
 
 
 AS_SYSTEM = "system"
-"""A theme: light or dark as the desktop is."""
+"""Theme that follows the desktop, light or dark."""
 OFF = "off"
 
 
 class Preferences(QObject):
-    """The choices of a user; ``changed`` is emitted with the one that has another value."""
+    """Preferences of a user; ``changed`` is emitted with the preference that has a new value."""
 
     changed = Signal(Preference)
 
     def __init__(self, store: QSettings | None = None) -> None:
-        """Set where they are stored; None: they last as long as the window."""
+        """Set the store; None: preferences last as long as the window."""
         super().__init__()
         self._store = store
         self._values: dict[str, str] = {}
@@ -55,7 +55,7 @@ class Preferences(QObject):
 
     @property
     def theme(self) -> Theme:
-        """Return the chosen theme, the light one unless chosen."""
+        """Return the chosen theme, by default the light one."""
         name = self.get(Preference.THEME)
         if name == AS_SYSTEM:
             dark = QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark

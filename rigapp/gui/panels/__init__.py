@@ -1,4 +1,4 @@
-"""What the tabs show of a running or recorded test, one module a panel.
+"""Panels of the tabs for a running or recorded test, one module for each panel.
 
-A panel is made by ``window.tabs`` from its row in the table there and is fed with what is new.
+A panel is made by ``window.tabs`` from its row in the table there and receives the news.
 """

@@ -1,4 +1,4 @@
-"""The alarms as cards: what is wrong, what it leads to, what to do; acknowledge and shelve."""
+"""Alarms as cards with condition, consequence and remedy; acknowledge and shelve."""
 
 from __future__ import annotations
 
@@ -62,9 +62,9 @@ BESIDE_FROM, LIST = 100 * STEP, 32 * STEP
 """Width for limits and journal beside each other, height of each below the other."""
 TITLE_WIDTH = 16 * STEP
 HEIGHTS = (360, 340)
-"""Of the alarms and of what is below them."""
+"""Heights of the alarms and of the part below them."""
 CARDS_HEIGHTS = (0, 32 * STEP, 42 * STEP)
-"""Of the alarms at least, by how many there are: their whole cards, and the tools below them."""
+"""Minimum heights of the alarms by their number: complete cards, and the tools below them."""
 
 
 def order(alarms: tuple[Alarm, ...]) -> list[Alarm]:
@@ -87,7 +87,7 @@ def newest_critical(alarms: Sequence[Alarm]) -> Alarm | None:
 
 
 class AlarmCard(QFrame):
-    """One alarm: shape and word, name, since when, and its texts."""
+    """One alarm: severity as shape and word, name, start time, and its texts."""
 
     pressed = Signal()
 
@@ -125,7 +125,7 @@ class AlarmCard(QFrame):
         column(*head, grid, on=self, margins=(GAP, STEP), spacing=STEP)
 
     def show_alarm(self, alarm: Alarm, *, full: bool, chosen: bool) -> None:
-        """Show an alarm; full: with all its texts, else with its name alone."""
+        """Show an alarm; full: with all its texts, else only with its name."""
         severity = "critical" if alarm.severity is Severity.CRITICAL else "attention"
         tell(self, "role", "card" if alarm.acknowledged else severity)
         tell(self, "chosen", chosen)
@@ -151,7 +151,7 @@ class AlarmCard(QFrame):
         self.setAccessibleDescription(translate(alarm.action))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Choose it."""
+        """Select the alarm."""
         self.pressed.emit()
         super().mousePressEvent(event)
 
@@ -183,11 +183,11 @@ class AlarmCards(QWidget):
 
     @property
     def alarms(self) -> list[Alarm]:
-        """Return what is shown, in its order."""
+        """Return the shown alarms in order."""
         return self._alarms
 
     def show_alarms(self, alarms: tuple[Alarm, ...]) -> None:
-        """Show the alarms; the choice stays unless there is a new critical one."""
+        """Show the alarms; the selection stays unless there is a new critical one."""
         ordered = order(alarms)
         if ordered == self._alarms:
             return
@@ -237,7 +237,7 @@ class AlarmCards(QWidget):
 
 
 def waiting(alarms: Sequence[Alarm]) -> bool:
-    """Tell whether any alarm is unacknowledged."""
+    """Return whether any alarm is unacknowledged."""
     return any(not alarm.acknowledged for alarm in alarms)
 
 
@@ -285,7 +285,7 @@ class AlarmGlance(QFrame):
 
 
 class AlarmPanel(QWidget):
-    """Show the alarms large, with all that may be done; emits requests as (verb, arguments)."""
+    """Show the alarms in full with all actions; emits requests as (verb, arguments)."""
 
     wanted = Signal(str, dict)
     takes = Takes.STATUS
@@ -348,7 +348,7 @@ class AlarmPanel(QWidget):
             self._enable_buttons()
 
     def show_state(self, state: RunState | None) -> None:
-        """Offer the reset after a trip, and whenever an alarm waits for it."""
+        """Enable the reset after a trip, and whenever an alarm requires it."""
         latched = any(alarm.severity is Severity.CRITICAL for alarm in self.cards.alarms)
         ended = state in (RunState.FAULT, RunState.STOPPED)
         self.reset.setEnabled((latched or ended) and not self._recorded)
@@ -359,7 +359,7 @@ class AlarmPanel(QWidget):
         self._take_height(min(len(self.cards.alarms), len(CARDS_HEIGHTS) - 1))
 
     def _take_height(self, cards: int) -> None:
-        """Set the minimum height for so many cards; without one the journal below has the rest."""
+        """Set the minimum height for a number of cards; without any the journal gets the space."""
         least, before = CARDS_HEIGHTS[cards], self.minimumHeight()
         if least == before:
             return
@@ -375,12 +375,12 @@ class AlarmPanel(QWidget):
         alarm = self.cards.chosen()
         if alarm is not None:
             card = self.cards.cards[self.cards.alarms.index(alarm)]
-            # Once the cards are laid out.
+            # Only after the cards are laid out.
             QTimer.singleShot(0, card, partial(self.area.ensureWidgetVisible, card))
         self._enable_buttons()
 
     def _enable_buttons(self) -> None:
-        """Enable the actions on the chosen alarm; a recorded one has none."""
+        """Enable the actions on the selected alarm; a recorded one has none."""
         alarm = None if self._recorded else self.cards.chosen()
         self.all.setEnabled(waiting(self.cards.alarms) and not self._recorded)
         self.acknowledge.setEnabled(alarm is not None and not alarm.acknowledged)

@@ -41,7 +41,7 @@ AXES: Final[dict[str, Text]] = {
     "measured_wear_depth": "Measured wear depth (µm)",
 }
 AXIS_BUCKETS = 4096
-"""Of a wear depth as an axis: finer than any screen; a shorter test row by row."""
+"""Buckets of a wear depth as an axis, finer than any screen; a shorter test is drawn row by row."""
 NOTHING = Drawn(np.empty(0), np.empty(0))
 
 
@@ -54,7 +54,7 @@ class ComparedTest:
 
 
 def line_of(data: LiveData, quantity: str, axis: str) -> Drawn:
-    """Return the line of one test to draw, extremes kept, in the units of the words."""
+    """Return the line of one test to draw, extremes kept, in the displayed units."""
     table = data.rows if quantity in data.rows.names else data.predictions
     if quantity not in table.names:
         return NOTHING
@@ -117,7 +117,7 @@ class ComparePanel(PlotPanel):
         return self._runs
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         super().dress(theme)
         self._draw()
@@ -196,7 +196,7 @@ class ComparePanel(PlotPanel):
         self.plot.show_marks(names=tuple(names), spots=tuple(spots))
 
     def _place(self, lines: Sequence[Drawn]) -> None:
-        """Show every line whole across; flagged revolutions do not range the axis upwards."""
+        """Fit the axes to all lines; flagged revolutions do not extend the vertical axis."""
         left = min(float(line.x.min()) for line in lines)
         right = max(float(line.x.max()) for line in lines)
         self.plot.show_range("x", left, max(right, left + 1e-6))

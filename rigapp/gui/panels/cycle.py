@@ -1,4 +1,4 @@
-"""The panel of one revolution: overlay, hold, any stored revolution, numbers, vector, probes."""
+"""Panel of one revolution: overlay, hold, any stored revolution, statistics, vector, probes."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ ROLES = ("first", "second")
 
 @dataclass(frozen=True, slots=True)
 class CurveGroup:
-    """Channels drawn together; centred: each less its mean, since only the movement matters."""
+    """Channels drawn together; centred: without their means, since only the movement matters."""
 
     title: str
     channels: tuple[Channel, ...]
@@ -53,7 +53,7 @@ class CurveGroup:
 
 
 def curve_groups(table: ChannelTable) -> tuple[CurveGroup, ...]:
-    """Return what can be drawn: the pair of probes, then each free channel of its own."""
+    """Return the groups that can be drawn: the pair of probes, then each free channel."""
     names = table.names_of(PROBES)
     directions = zip(names, COMPONENT_NAMES[ForceFrame.FOLLOWER], strict=True)
     texts = tuple(f"{title_of(table[name])}, {tr(direction)}" for name, direction in directions)
@@ -89,7 +89,7 @@ class ChannelCurvePanel(PlotPanel):
 
     @property
     def group(self) -> CurveGroup:
-        """Return what is drawn."""
+        """Return the group that is drawn."""
         return self._groups[max(self.choice.currentIndex(), 0)]
 
     def show_news(self, news: News) -> None:
@@ -122,7 +122,7 @@ class ChannelCurvePanel(PlotPanel):
         self.plot.fit(low, high)
 
     def _offer(self, table: ChannelTable) -> None:
-        """List the groups of a table; the choice stays where it is still there."""
+        """List the groups of a table; the selection stays where it still exists."""
         chosen = self.choice.currentText()
         self._table, self._groups = table, curve_groups(table)
         self.choice.blockSignals(True)
@@ -148,7 +148,7 @@ class ChannelCurvePanel(PlotPanel):
         self.plot.empty(f"{tr(why)}: {waiting}")
 
     def _show_names(self, ends: list[float]) -> None:
-        """Name the curves where they end; unit and means are above."""
+        """Label the curves at their ends; unit and means are above."""
         group = self.group
         means = ", ".join(f"{mean:.1f}" for mean in self._means)
         unit = unit_text(group.channels[0].unit)
@@ -170,7 +170,7 @@ KINDS: Final[tuple[Text, ...]] = ("meas.", "model", "diff.")
 
 COMPONENTS, VALUES = 3, len(STATISTICS) * len(KINDS)
 UPRIGHT_BELOW = 104 * STEP
-"""Of the table of values, in pixels: ten columns of numbers, and their names."""
+"""Width below which the table of values is transposed, pixels: ten columns and their names."""
 
 
 class ValueTable(QTableWidget):
@@ -203,13 +203,13 @@ class ValueTable(QTableWidget):
         self._fill([[_signed(value, index) for index, value in enumerate(line)] for line in table])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Turn the table where its values need it; while hidden its width is not final."""
+        """Transpose the table where its values need it; while hidden its width is not final."""
         super().resizeEvent(event)
         if self.isVisible():
             self._turn()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Turn the table where its values need it."""
+        """Transpose the table where its values need it."""
         self._turn()
         super().showEvent(event)
 
@@ -223,7 +223,7 @@ class ValueTable(QTableWidget):
             self._fill(texts)
 
     def texts(self) -> list[list[str]]:
-        """Return what is shown, a list for each component."""
+        """Return the shown texts, a list for each component."""
         return [
             [
                 item.text() if (item := self._cell(component, index)) is not None else "–"
@@ -236,7 +236,7 @@ class ValueTable(QTableWidget):
         return self.item(index, component) if self._upright else self.item(component, index)
 
     def _head(self) -> None:
-        """Name rows and columns, only when the names change: that lays out the whole table."""
+        """Set the headings only when they change, since this lays out the whole table."""
         between = " " if self._upright else "\n"
         kinds = [f"{tr(name)}{between}{tr(kind)}" for name in STATISTICS for kind in KINDS]
         names = (self._names, kinds) if self._upright else (kinds, self._names)
@@ -364,7 +364,7 @@ class CyclePanel(FoldingSplitter):
         self.tools = flowing(self.hold, "Stored revol&ution", self.stored, self.show_stored, None)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         for panel in (self.overlay, self.polar, self.channels):
             panel.dress(theme)
 
@@ -385,7 +385,7 @@ class CyclePanel(FoldingSplitter):
         self.overlay.compare_with(stored)
 
     def no_revolution(self) -> None:
-        """Release the button: there is nothing to compare with."""
+        """Release the button when there is no revolution to compare with."""
         self.show_stored.setChecked(False)
 
     def _held(self, held: bool) -> None:

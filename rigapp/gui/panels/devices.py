@@ -50,23 +50,24 @@ SIGNS: Final[dict[str, Text]] = {
     "probe_1": "the pin moves along the follower towards the slider",
     "probe_2": "the pin moves across the follower, counter-clockwise",
 }
-"""What a positive value means; see Signs and frames in rig.md."""
+"""Meaning of a positive value; see Signs and frames in rig.md."""
 
 RAW_PLACES = 4
-"""Of a raw value: 0.02 N of a cell of 400 N at 2 mV/V, a hundredth of what it resolves."""
+"""Decimal places of a raw value: 0.02 N for a cell of 400 N at 2 mV/V, a hundredth of its
+resolution."""
 
 LINK_WINDOW_S = 60.0
-"""Losses within it are shown as present: an operator looks again within a minute."""
+"""Period for which a loss is shown as present: an operator looks again within a minute."""
 LINK_READINGS = 256
-"""Stored readings of a link: two a second fill the window twice."""
+"""Number of stored readings of a link: twice the window at two readings a second."""
 
 TABLE_HEIGHT = 26 * STEP
 CARD_WIDTH = 42 * STEP
-"""Of a card at least; more of them are beside each other where there is room."""
+"""Minimum width of a card; cards are placed side by side where there is room."""
 
 
 class LinkWatch:
-    """Rate the link to a device by what was lost on it and when."""
+    """Rate the link to a device by the number and time of losses."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
@@ -76,7 +77,7 @@ class LinkWatch:
         """Return the quality of the link in words, and whether it is disturbed now."""
         now, lost, errors = self._clock(), device.lost_samples, device.errors
         if self._readings and (lost, errors) < self._readings[-1][1:]:
-            self._readings.clear()  # counted anew since it was connected again
+            self._readings.clear()  # the counters restart with a new connection
         self._readings.append((now, lost, errors))
         while self._readings[0][0] < now - LINK_WINDOW_S:
             self._readings.popleft()
@@ -172,7 +173,7 @@ class DeviceCard(QFrame):
 
 
 def _health(device: DeviceView, *, disturbed: bool, awaited: bool) -> tuple[str, Text]:
-    """Return kind and words of the health of a device."""
+    """Return the kind and the text of a device's health."""
     if awaited:
         finding: Text = "… Connecting"
         return "calm", finding
@@ -293,7 +294,7 @@ class DevicePanel(QWidget):
         column((area, 1), on=self)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
 
     def show_news(self, news: News) -> None:

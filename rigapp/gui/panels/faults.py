@@ -1,4 +1,4 @@
-"""The fault list of the simulated rig: find a fault, cause it, end it."""
+"""The faults of the simulated rig: find a fault, inject it, end it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from rigapp.viewer.tasks import TaskWorker
 BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 90 * STEP, 32 * STEP, 36 * STEP
 """Width of list and card beside each other; height of each below the other."""
 SIGNAL: Final = "signal"
-"""Place of a signal fault; its duration is simulated time, that of any other real time."""
+"""Place of a signal fault; its duration is in simulated time, that of others in real time."""
 
 SECONDS: Final[tuple[tuple[Text, str], ...]] = (
     ("real seconds", "real"),
@@ -45,7 +45,7 @@ SECONDS: Final[tuple[tuple[Text, str], ...]] = (
 
 
 class FaultPanel(QWidget):
-    """Find a fault, cause it, end it."""
+    """Find a fault, inject it, end it."""
 
     wanted = Signal(str, dict)
     takes = Takes.HISTORY
@@ -143,7 +143,7 @@ class FaultPanel(QWidget):
         self._show()
 
     def _show(self) -> None:
-        """List the faults that contain every searched word; the choice stays."""
+        """List the faults that contain every searched word; the selection stays."""
         chosen = self._choice()
         words = self.search.text().lower().split()
         self.shown = [
@@ -157,7 +157,7 @@ class FaultPanel(QWidget):
         self._chosen()
 
     def _offer_channels(self, names: list[str]) -> None:
-        """List the channels with an input; the choice stays where it is still there."""
+        """List the channels with an input; the selection stays where it still exists."""
         if names == [self.channel.itemText(index) for index in range(self.channel.count())]:
             return
         chosen = self.channel.currentText()
@@ -176,7 +176,7 @@ class FaultPanel(QWidget):
 
     @property
     def _runs_at(self) -> float | None:
-        """Return how many simulated seconds pass in a real one, None where unknown."""
+        """Return simulated seconds per real second, None where unknown."""
         known = math.isfinite(self._speed) and self._speed > 0.0
         return self._speed if known else None
 

@@ -1,4 +1,4 @@
-"""The limits of the running test, which are changed with a reason for the log."""
+"""Limits of the running test; changes need a reason for the log."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ from rigapp.viewer.news import News, Takes
 REVOLUTIONS = "revolutions"
 VALUE_WIDTH = 10 * STEP
 TABLE_HEIGHT = 18 * STEP
-"""Its heading and three limits, which take two lines each in German."""
+"""Height of the heading and three limits, which take two lines each in German."""
 
 
 @dataclass(frozen=True, slots=True)
 class ShownLimit:
-    """A limit in words, with its present value and unit."""
+    """A limit as text, with its present value and unit."""
 
     words: str
     value: float
@@ -64,7 +64,7 @@ def limits_of(
 
 
 class LimitPanel(QGroupBox):
-    """Show the limits and the length of the test, and change one; asks "set_limit" or "extend"."""
+    """Show limits and length of the test and change one; requests "set_limit" or "extend"."""
 
     wanted = Signal(str, dict)
     takes = Takes.HISTORY | Takes.LOG
@@ -116,7 +116,7 @@ class LimitPanel(QGroupBox):
         changed: Mapping[str, float],
         planned: int = 0,
     ) -> None:
-        """Show the limits as they are now; planned: revolutions of the complete test."""
+        """Show the present limits; planned: revolutions of the complete test."""
         self._active = state in ACTIVE
         limits = limits_of(test, changed, self._channels)
         if planned > 0:

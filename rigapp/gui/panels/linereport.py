@@ -29,7 +29,7 @@ ABOUT: Final[Text] = (
 
 
 class LineReportCard(QFrame):
-    """Choose devices and time, record, end; show what is recorded and where the report is.
+    """Choose devices and time, record, end; show the progress and the path of the report.
 
     folder: where reports are written. wanted: a request to the engine.
     """
@@ -72,7 +72,7 @@ class LineReportCard(QFrame):
         self.show_status(None)
 
     def show_status(self, status: Status | None) -> None:
-        """Show what is recorded now, or where the last report is."""
+        """Show the recording in progress, or the path of the last report."""
         names = [device.name for device in status.rig.devices] if status is not None else []
         listed = [self.devices.itemData(index) for index in range(1, self.devices.count())]
         if names and listed != names:
@@ -108,7 +108,7 @@ class LineReportCard(QFrame):
 
 
 def words_of(report: LineReport, now: float) -> str:
-    """Return what is recorded, and for how long still, or its result; now: s since 1970."""
+    """Return the progress and remaining time of a recording, or its result; now: s since 1970."""
     if report.sentence:
         return translate(report.sentence)
     devices, since = ", ".join(report.devices), max(0.0, now - report.since)

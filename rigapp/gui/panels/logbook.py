@@ -1,4 +1,4 @@
-"""The log of the test: who did what when, with values before and after."""
+"""The log of the test: time, source and action, with values before and after."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ CODES: Final[tuple[Text, ...]] = (
 )  # fmt: skip
 """Kinds and sources of log lines; names of devices and people are not translated."""
 LOG_LINES, JOURNAL_LINES = 2000, 500
-"""Newest lines shown; all of them are in the file."""
+"""Numbers of newest lines shown; the file has all of them."""
 
 
 class LogPanel(QWidget):
-    """Show the log, and find lines in it."""
+    """Show and search the log."""
 
     takes = Takes.HISTORY | Takes.LOG
 
@@ -73,7 +73,7 @@ class LogPanel(QWidget):
 
 
 class AlarmJournal(QFrame):
-    """What happened to the alarms of the test, newest first."""
+    """Changes of the alarms of the test, newest first."""
 
     takes = Takes.HISTORY | Takes.LOG
 

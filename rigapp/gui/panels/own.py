@@ -1,4 +1,4 @@
-"""A page that the operator arranges: tiles and plots of any channel, statistic and prediction."""
+"""Page arranged by the operator: tiles and plots of any channel, statistic and prediction."""
 
 from __future__ import annotations
 
@@ -60,14 +60,14 @@ MOVES: Final[tuple[tuple[str, str, Text], ...]] = (
     ("later", "›", "Move to the back"),
     ("away", "×", "Remove"),
 )
-"""Buttons of each part: name, sign, and what they do."""
+"""Buttons of each part: name, sign, and description."""
 
 SaveView = Callable[[ViewSection], str]
-"""Write an arrangement into the test file; returns the file's name, raises UnusableInput."""
+"""Writes an arrangement into the test file; returns the file's name, raises UnusableInput."""
 
 
 class OwnPart(QFrame):
-    """A tile or a plot with the buttons that move it and take it away."""
+    """A tile or plot with buttons to move and remove it."""
 
     def __init__(
         self, name: str, title: str, inside: QWidget, act: Callable[[str, str], None]
@@ -127,14 +127,14 @@ class OwnPage(QWidget):
         self._arrange()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme; plots made later have it, too."""
+        """Apply a theme, also to plots made later."""
         self._theme = theme
         for part in self._made.values():
             if isinstance(part.inside, OverlayPanel | TrendPanel):
                 part.inside.dress(theme)
 
     def take_view(self, view: ViewSection) -> None:
-        """Show the arrangement of a test file, unless it was the last one applied."""
+        """Show the arrangement of a test file, unless it was applied last."""
         if view != self._taken:
             self._taken = view
             self._show(view)
@@ -198,7 +198,7 @@ class OwnPage(QWidget):
         self._arrange()
 
     def _arrange(self) -> None:
-        """Put every part in its place; existing parts are moved, not made anew."""
+        """Arrange all parts; existing ones are moved, not recreated."""
         wanted = [name for name in self.view.tiles if name in self._columns]
         plots = [
             f"plot {plot}" for plot in self.view.plots if plot == CYCLE or plot in self._quantities
@@ -259,7 +259,7 @@ class OwnPage(QWidget):
 
 
 def tile_columns(table: ChannelTable) -> dict[str, str]:
-    """Return what a tile can show: every statistic and prediction, with its words and unit."""
+    """Return the columns for tiles: every statistic and prediction, with name and unit."""
     return {
         **compared_columns(table),
         COEFFICIENT: f"{tr('Wear coefficient')} ({COEFFICIENT_UNIT})",

@@ -1,4 +1,4 @@
-"""The queue of the rig: tests one after another; add, remove, start, stop."""
+"""The queue of tests of the rig: add, remove, start, stop."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ STATES: Final[dict[ItemState, Text]] = {
 
 
 class QueuePanel(QWidget):
-    """List the queue and change it by requests to the engine, which holds the list."""
+    """List the queue and change it through requests to the engine, which holds it."""
 
     wanted = Signal(str, dict)
     takes = Takes.HISTORY
@@ -90,7 +90,7 @@ class QueuePanel(QWidget):
             self._show(status.engine.queue, works=status.engine.queue_works)
 
     def add_files(self, paths: Sequence[str]) -> None:
-        """Request test files at the end of the queue."""
+        """Request to append test files to the queue."""
         if paths:
             folder = str(self._folder.resolve())
             self.wanted.emit("queue_add", {"tests": list(paths), "folder": folder})

@@ -1,4 +1,4 @@
-"""The end of a test: why it ended, its result, and what can be done next."""
+"""The end of a test: reason, result, and next actions."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ from rigapp.viewer.news import News, Takes
 
 TALL = 5 * STEP
 PAPERS_WIDTH, PLOT_WIDTH = 38 * STEP, 40 * STEP
-"""Of documents and plot, at least; the documents move below where they do not fit beside it."""
+"""Minimum widths of documents and plot; documents that do not fit beside the plot move below."""
 RESUME: Final[Text] = "Resume the test in its own file"
 READING: Final[Text] = "Reading the results …"
 
 
 def has_result(news: News) -> bool:
-    """Tell whether the test that is shown has ended."""
+    """Return whether the shown test has ended."""
     status = news.status
     if status is None or news.is_replay or not (status.test or NO_TEST).file:
         return False
@@ -47,7 +47,7 @@ def _over(status: Status) -> bool:
 
 
 class EndPage(QWidget):
-    """Show the result of the test that ended last, and lead on."""
+    """Show the result of the test that ended last, and the next actions."""
 
     takes = Takes.STATUS
 
@@ -89,7 +89,7 @@ class EndPage(QWidget):
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
         self.trip = host.add("result_trip", OverlayPanel("result", theme))
         self.trip.show_force_alone()
-        # They use the remaining height, and require no more.
+        # The plots use only the remaining height.
         for plot in (wear.plot, self.trip.plot):
             plot.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
             plot.setMinimumHeight(LEAST_HEIGHT)
@@ -130,7 +130,7 @@ class EndPage(QWidget):
         column(self.card, acts, (below, 1), on=self, spacing=GAP)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.card.dress(theme)
         signs = {
             "report": (Icon.FILE, theme.highlighted_text),
@@ -153,7 +153,7 @@ class EndPage(QWidget):
         self._pump.stop()
 
     def show_news(self, news: News) -> None:
-        """Read the file of a test when it has ended, and whenever its state has changed since."""
+        """Read the file of a test when it has ended, and after later changes of its state."""
         self._status = news.status
         tripped = news.trip is not None and news.trip.cycle is not None
         self.plots.setCurrentIndex(self.plots.indexOf(self.trip) if tripped else 0)

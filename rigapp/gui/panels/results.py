@@ -1,4 +1,4 @@
-"""The recorded tests of a folder: find one, show it, compare several, write documents."""
+"""Recorded tests of a folder: search, show, compare, write documents."""
 
 from __future__ import annotations
 
@@ -41,23 +41,23 @@ from rigapp.viewer.news import News, Takes
 from rigapp.viewer.tasks import TaskWorker
 
 PUMP_MS = 50
-"""Between two checks for results that were read: rows appear as they come."""
+"""Period of checks for results while the folder is being read."""
 QUIET_PUMP_MS = 250
-"""The same while nothing is being read: a waiting window costs next to nothing."""
+"""Period of checks while nothing is being read: an idle window needs little processor time."""
 SETTLED_MS = 300
-"""A test that stays chosen so long is evaluated closely: a second of another process."""
+"""Time after which a selected test is evaluated in detail, which takes another process a second."""
 CARD_WIDTH = 42 * STEP
 BESIDE_FROM, LIST_HEIGHT, CARD_HEIGHT = 112 * STEP, 44 * STEP, 60 * STEP
 """Width of list and card beside each other; height of each below the other."""
 BOTH_HEIGHT = 70 * STEP
-"""Of list and comparison below each other; in a lower page the list folds."""
+"""Height of list and comparison below each other; the list is hidden on a lower page."""
 NO_CHOICE: Final[Text] = "Select a test to see its results."
 TRIPPED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
-"""Outcomes of which a file may have the seconds around a trip."""
+"""Outcomes of tests whose file may have the seconds around a trip."""
 
 
 def show_trip(host: Host, path: str) -> None:
-    """Go to the page of the trip of a test."""
+    """Open the trip page of a test."""
     page = host.panels["trip"]
     assert isinstance(page, TripPage)
     page.show_test(Path(path))
@@ -65,7 +65,7 @@ def show_trip(host: Host, path: str) -> None:
 
 
 class ShelfPump(QTimer):
-    """Collect what the shelf has read, and call ``changed`` when something has changed."""
+    """Collect the results that the shelf has read, and call ``changed`` after changes."""
 
     def __init__(self, shelf: ResultShelf, changed: Callable[[], None], parent: QWidget) -> None:
         super().__init__(parent)
@@ -75,7 +75,7 @@ class ShelfPump(QTimer):
         self.timeout.connect(self.pump)
 
     def pump(self) -> None:
-        """Check once, and again soon while more is to come."""
+        """Check once, and more often while results are pending."""
         self._shelf.pump()
         self.setInterval(PUMP_MS if self._shelf.reading else QUIET_PUMP_MS)
         if self._shelf.version != self._version:
@@ -166,7 +166,7 @@ class ResultsPanel(QWidget):
         column(acts, more, self.card, card, None, on=inside, spacing=GAP)
         area = named(QScrollArea(), "result_side", "The chosen test")
         area.setWidgetResizable(True)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to what has the focus
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to the focused widget
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inside)
@@ -186,13 +186,13 @@ class ResultsPanel(QWidget):
         column(self._parts, on=self)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Read the folder, and collect the results as they come."""
+        """Read the folder and start to collect results."""
         super().showEvent(event)
         self._pump.start()
         self.look()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop while the page is hidden: what was read waits."""
+        """Stop while the page is hidden; results already read are kept."""
         super().hideEvent(event)
         self._pump.stop()
 
@@ -200,7 +200,7 @@ class ResultsPanel(QWidget):
         """Ignore the news: the folder is read when the page is shown."""
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.table.dress(theme)
         self.card.dress(theme)
         self.compare.dress(theme)
@@ -210,7 +210,7 @@ class ResultsPanel(QWidget):
         self._shelf.look()
 
     def compare_with(self, test: TestResult) -> None:
-        """Compare a test with the newest ones of the same title."""
+        """Compare a test with the newest tests of the same title."""
         self.look()
         path, title = test.path, test.title
         alike = [
@@ -222,7 +222,7 @@ class ResultsPanel(QWidget):
         self._draw([path, *(other for other in alike if other != path)])
 
     def chosen(self) -> list[TestResult]:
-        """Return what is known of the chosen tests."""
+        """Return the results of the selected tests, as far as they are read."""
         known = (self._shelf.result(path) for path in self.table.chosen_paths())
         return [result for result in known if result is not None]
 
@@ -291,7 +291,7 @@ class ResultsPanel(QWidget):
         self._fold()
 
     def _fold(self) -> None:
-        """Hide the list on a low page: the compared curves have the names of their tests."""
+        """Hide the list on a low page; the compared curves show the names of their tests."""
         low = self._parts.folded or self.height() < BOTH_HEIGHT
         self.table.setHidden(low and not self._compared.isHidden())
 

@@ -1,7 +1,6 @@
-"""The start page: four ways on, the last tests; and the page that makes the files of a new rig.
+"""The start page with four actions and the last tests; and the page that sets up a new rig.
 
-A new rig: its devices and their ports are searched and its files written by the functions of
-``rigapp init --real``.
+For a new rig the functions of ``rigapp init --real`` search the ports and write the files.
 """
 
 from __future__ import annotations
@@ -56,7 +55,7 @@ from rigapp.texts import capitalised
 from rigapp.viewer.news import News, Takes
 
 LAST = 20
-"""Tests that are listed; Results has all of them."""
+"""Number of listed tests; Results has all of them."""
 TRY_KEY: Final = "F11"
 WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
     Act.TRY: (
@@ -82,23 +81,23 @@ WAYS: Final[dict[Act, tuple[Icon, Text, Text, Text, str]]] = {
     ),
     Act.RESULTS: (Icon.RESULTS, "Open results", "View, compare, report.", "Open", "Ctrl+8"),
 }
-"""The ways on in their order: icon, title, what it is, the text of the button, and its key.
+"""The actions in order: icon, title, description, text of the button, and its key.
 
-The keys are those of the whole window: a digit alone would be typed into the field with the focus.
+The keys are those of the whole window: a digit alone would be typed into the focused field.
 """
 SIGN = QSize(24, 24)
 WAY_WIDTH = 22 * STEP
-"""Of a way on, at least."""
+"""Minimum width of an action."""
 
 
 def may_begin(news: News) -> bool:
-    """Tell whether nothing is under way yet."""
+    """Return whether neither a test nor a calibration is in progress."""
     status = news.status
     return not news.is_replay and (status is None or status.engine.state not in ACTIVE)
 
 
 class WayCard(QFrame):
-    """One way on: icon, title, what it is, and its button."""
+    """One action: icon, title, description, and its button."""
 
     chosen = Signal(Act)
 
@@ -133,12 +132,12 @@ class WayCard(QFrame):
         )
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.sign.setPixmap(icon(self._meaning, theme.highlight).pixmap(SIGN))
 
 
 class StartPage(QWidget):
-    """The four ways on, the rig, and the last tests."""
+    """The four actions, the rig, and the last tests."""
 
     takes = Takes.STATUS
 
@@ -184,13 +183,13 @@ class StartPage(QWidget):
         self._pump.stop()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.table.dress(theme)
         for card in self.ways.values():
             card.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show which rig it is."""
+        """Show the name of the rig."""
         status = news.status
         free = status is None or status.engine.calibration is None
         self.ways[Act.TRY].button.setEnabled(free)
@@ -214,23 +213,23 @@ class StartPage(QWidget):
 
 
 def start_page(host: Host) -> QWidget:
-    """Make the page to begin with."""
+    """Make the start page."""
     return host.add("start", StartPage(host))
 
 
 NEW_FOLDER: Final = "my-rig"
 CARD_WIDTH = 42 * STEP
 LEAST_CHARACTERS = 18
-"""Visible of a device and a port at least; their names are longer."""
+"""Minimum number of visible characters of a device and a port; their names are longer."""
 FILES_HEIGHT = 34 * STEP
-"""All rows: nothing scrolls within the page that scrolls."""
+"""Height of all rows, so that the table does not scroll within the scrolling page."""
 OPEN_PORT: Final[Text] = (
     "May stay empty until the port is known; the check of the rig lists the ports."
 )
 
 
 class BoxCard(QFrame):
-    """One device of the new rig: which it is, its port, and which device answers there."""
+    """One device of the new rig: type, port, and the device that answers there."""
 
     def __init__(self, role: str) -> None:
         super().__init__()
@@ -264,12 +263,12 @@ class BoxCard(QFrame):
 
     @property
     def box(self) -> Box:
-        """Return the device as it is chosen."""
+        """Return the selected device."""
         driver = self.drivers[self.device.currentData()]
         return Box(self._role, driver, self.port.currentText().strip())
 
     def show_ports(self, ports: Sequence[FoundPort]) -> None:
-        """List ports; choose the first on which a device of this kind answers."""
+        """List ports; select the first on which a device of this kind answers."""
         typed = self.port.currentText()
         self._ports = {port.name: port for port in ports}
         self.port.clear()
@@ -347,7 +346,7 @@ class NewRigPage(QWidget):
         self.folder.setText(str(Path.cwd() / NEW_FOLDER))
 
     def show_news(self, news: News) -> None:
-        """Search no ports while a test runs."""
+        """Disable the search of ports while a test runs."""
         status = news.status
         self._in_test = status is not None and status.engine.state in ACTIVE
         self._enable()

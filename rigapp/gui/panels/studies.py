@@ -1,4 +1,4 @@
-"""The studies of the results folder: parameters, results, and what these depend on."""
+"""Studies of the results folder: parameters, results, and sensitivities."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ NO_STUDIES: Final[Text] = (
     "No study is in {}. Compute one from a study file, or open the folder of another."
 )
 LOOK_MS = 2000
-"""Between two checks of how far a study is."""
+"""Period of checks of a study's progress."""
 ALL_DONE: Final[Text] = "{} points, each with a result."
 SOME_FAILED: Final[Text] = (
     "{} of {} points have a result. The reasons for the others are listed below."
@@ -65,13 +65,13 @@ TOO_FEW: Final[Text] = (
     "Too few points to say what it depends on. Shares of the variance, with 95 % limits:"
 )
 MOST_FAILED = 200
-"""Reasons that are listed; the column ``problem`` of the table has them all."""
+"""Maximum number of listed reasons; the column ``problem`` of the table has all."""
 
 
 class StudyRun(QWidget):
-    """Compute a study in its own process, which is interrupted when the window closes.
+    """Compute a study in a separate process, which is interrupted when the window closes.
 
-    Finished points are saved: the same file resumes. One core is left to the rig and the window.
+    Finished points are saved, and the same file resumes. One core is left to rig and window.
     """
 
     ended = Signal(Path)
@@ -104,7 +104,7 @@ class StudyRun(QWidget):
 
     @property
     def running(self) -> bool:
-        """Tell whether a study is being computed."""
+        """Return whether a study is being computed."""
         return self._process.state() is not QProcess.ProcessState.NotRunning
 
     def begin(self, file: str) -> None:
@@ -160,7 +160,7 @@ class StudyRun(QWidget):
 
 
 class StudiesPanel(QWidget):
-    """List the studies at the left; the chosen one at the right: points, dependence, power."""
+    """List the studies on the left, the selected one on the right: points, dependence, power."""
 
     reported = Signal(str, bool)
     takes = Takes(0)
@@ -222,10 +222,10 @@ class StudiesPanel(QWidget):
         self.look()
 
     def show_news(self, news: News) -> None:
-        """Ignore the news: a study has nothing to do with the running test."""
+        """Ignore the news: a study does not depend on the running test."""
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.plot.dress(theme)
 
     def look(self) -> None:
@@ -234,7 +234,7 @@ class StudiesPanel(QWidget):
         self._worker.submit(lambda: _existing(folders), self._list, self._not_read)
 
     def open_folder(self, folder: str) -> None:
-        """List the studies of one more folder, and choose the newest of them."""
+        """List the studies of one more folder, and select the newest of them."""
         path = Path(folder)
         if path not in self._opened:
             self._opened = (path, *self._opened)
@@ -250,7 +250,7 @@ class StudiesPanel(QWidget):
         )
 
     def _list(self, studies: tuple[StudyResults, ...]) -> None:
-        """List studies; the one that is shown or wanted stays chosen, else the newest."""
+        """List studies; keep the shown or requested one selected, else select the newest."""
         wanted = self._wanted
         near = [wanted in (study.folder, study.folder.parent) for study in studies]
         index = near.index(True) if True in near else None
@@ -285,7 +285,7 @@ class StudiesPanel(QWidget):
         self._show_dependence()
 
     def _show_power(self, power: Sequence[PowerRow]) -> None:
-        """Show a row for each factor, a column for each share of the tests."""
+        """Show a row for each factor and a column for each share of the tests."""
         shares = sorted({entry.share for entry in power})
         self.power.setColumnCount(len(SEEN) + len(shares))
         percents = [f"{100.0 * share:.0f} %" for share in shares]
@@ -299,7 +299,7 @@ class StudiesPanel(QWidget):
         self._power.setVisible(bool(power))
 
     def _show_dependence(self) -> None:
-        """Show what the drawn result depends on, where the design allows it."""
+        """Show the sensitivities of the drawn result, where the design allows it."""
         study, result = self._shown, self.plot.column
         dependence = _dependence(study, result.name) if study and result else []
         self.depends.show_rows([texts for _, texts in dependence])
@@ -326,13 +326,13 @@ def _row(study: StudyResults) -> tuple[str, ...]:
 
 
 def _resolved(study: StudyResults, result: str) -> bool:
-    """Tell whether there are enough points for the sensitivities of a result."""
+    """Return whether there are enough points for the sensitivities of a result."""
     known, keys = (study.sensitivities or {}).get(result), len(study.parameters)
     return known is None or not known.points_needed(max(len(study.problems) // (keys + 2), 1))
 
 
 def _sentence(study: StudyResults) -> str:
-    """Return how many points have a result, or why there is no table."""
+    """Return the number of points with a result, or why there is no table."""
     if study.reason:
         return translate(study.reason)
     points, waiting, failed = len(study.problems), study.waiting, len(study.failed)

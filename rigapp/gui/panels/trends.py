@@ -1,4 +1,4 @@
-"""Pages of trends: the overview with the newest revolution, and the life of the joint."""
+"""Pages of trends: overview with the newest revolution, wear, and all trends."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ ANGLES_DEG = np.linspace(-180.0, 180.0, 721)
 
 MEASURED_DEPTH: Final[tuple[Text, Text]] = ("measured {}", "measured: not known")
 MODEL_DEPTH: Final[tuple[Text, Text]] = ("model {}", "model: not known")
-"""A curve with its largest depth, and where there is none."""
+"""Label of a curve with its largest depth, and without one."""
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """The text at a curve; not known: there is no depth at which to write it."""
+    """The label at a curve; not known: there is no depth at which to place it."""
 
     text: str
     known: bool = True
@@ -61,9 +61,9 @@ class Entry:
 def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float) -> Floats:
     """Return the depth of wear in mm at ANGLES_DEG from the contact point.
 
-    The pin's circle has sunk into the bushing by ``depth_mm`` at the contact point; what lies
-    beyond the bushing's first circle is worn. This holds where wear is much larger than elastic
-    indentation and the force keeps its direction.
+    The pin's circle penetrates the bushing by ``depth_mm`` at the contact point; the part beyond
+    the bushing's original circle is worn. Valid where wear is much larger than elastic indentation
+    and the force keeps its direction.
     """
     centre = bushing_radius_mm - pin_radius_mm + depth_mm
     angle = np.radians(ANGLES_DEG)
@@ -73,7 +73,7 @@ def worn_profile(depth_mm: float, pin_radius_mm: float, bushing_radius_mm: float
 
 
 class WearProfilePanel(PlotPanel):
-    """Draw the worn profile in the follower frame; without a recorded one the pin's circle."""
+    """Draw the worn profile in the follower frame; without a recorded one, the pin's circle."""
 
     takes = Takes.HISTORY
 
@@ -96,7 +96,7 @@ class WearProfilePanel(PlotPanel):
         self._start_afresh()
 
     def show_news(self, news: News) -> None:
-        """Draw the newest recorded profile, or what follows from the newest depths."""
+        """Draw the newest recorded profile, or one computed from the newest depths."""
         data = news.data
         if self.take_data(data):
             self._start_afresh()
@@ -130,7 +130,7 @@ class WearProfilePanel(PlotPanel):
         )
 
     def _start_afresh(self) -> None:
-        """Draw nothing: the profile was of another test."""
+        """Clear the plot: the profile was of another test."""
         self._drawn = None
         clear(self._measured, self._model, self._band)
         self._show_entries(_depth(MEASURED_DEPTH, math.nan), _depth(MODEL_DEPTH, math.nan), "")
@@ -171,7 +171,7 @@ class WearProfilePanel(PlotPanel):
         self._band.setData(angle, np.maximum(depth - doubt, 0.0), depth + doubt)
 
     def _show_entries(self, measured: Entry, model: Entry, words: str) -> None:
-        """Name both curves where they are deepest, and show what was measured."""
+        """Label both curves at their largest depth, and show the measured depth."""
         names = [
             CurveName(entry.text, pen, np.nanmax(curve.y, initial=0.0))
             for entry, pen, curve in (
@@ -195,7 +195,7 @@ BESIDE_FROM, PLOTS_TALL = 90 * STEP, 35 * STEP
 
 
 class WearPanel(QWidget):
-    """Show what is known of the wear in words and plots."""
+    """Show the evaluated wear as text and plots."""
 
     takes = Takes.HISTORY
 
@@ -212,12 +212,12 @@ class WearPanel(QWidget):
         column(self.sentence, (plots, 1), on=self)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.bands.dress(theme)
         self.narrowing.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Draw what is known, and have it computed again where there are new rows."""
+        """Draw the evaluated wear, and request a new evaluation when there are new rows."""
         self._reader.look(news)
         known = self._reader.known
         waiting = tr(

@@ -1,4 +1,4 @@
-"""The seconds around a trip: force, pin, speed and drive current over time, and what tripped."""
+"""The seconds around a trip: force, pin, speed and drive current over time, and the cause."""
 
 from __future__ import annotations
 
@@ -43,16 +43,16 @@ BESIDE_FROM, FACTS_WIDTH, FACTS_HEIGHT = 110 * STEP, 42 * STEP, 36 * STEP
 PLOTS_HEIGHT = 84 * STEP
 BEFORE, TRIGGER = LinePen("frozen"), LinePen("critical")
 GREY: Final = ("force", "speed")
-"""Channels that are drawn of the revolution before, too."""
+"""Channels also drawn for the previous revolution."""
 NO_TRIP: Final[Text] = "No tripped test is chosen. Choose one under Results, then press Trip."
 NOT_KEPT: Final[Text] = "This test did not trip, or its file has no samples of the trip."
 
 
 @dataclass(frozen=True, slots=True)
 class TripRow:
-    """One plot: title, unit, the least range of its values, and its curves by channel.
+    """One plot: title, unit, the minimum range of its values, and its curves by channel.
 
-    centred: each less its mean, since only the movement matters.
+    centred: without their means, since only the movement matters.
     """
 
     name: str
@@ -85,11 +85,11 @@ ROWS: Final = (
     ),
     TripRow("speed", "Speed", "rpm", 5.0, (("speed", "crank", "main"),)),
 )
-"""The plots that every trip has; a drive that reports its current has one more."""
+"""Plots of every trip; a drive that reports its current adds one."""
 
 
 class TripPlot(PlotPanel):
-    """Draw channels over the time from the trip; the revolution before it in grey."""
+    """Draw channels over the time from the trip, with the previous revolution in grey."""
 
     def __init__(self, spec: TripRow, theme: Theme, room: NameRoom) -> None:
         super().__init__(f"trip_{spec.name}_panel", spec.title)
@@ -148,7 +148,7 @@ class TripPlot(PlotPanel):
 
 
 def _joined(pieces: Sequence[TripPiece], name: str) -> tuple[Floats, Floats]:
-    """Return the samples of a channel in all pieces, parted by NaN."""
+    """Return the samples of a channel in all pieces, separated by NaN."""
     x: list[Floats] = [np.empty(0)]
     y: list[Floats] = [np.empty(0)]
     for piece in pieces:
@@ -158,7 +158,7 @@ def _joined(pieces: Sequence[TripPiece], name: str) -> tuple[Floats, Floats]:
 
 
 class TripPage(QWidget):
-    """Show the trip of the test that was chosen, else of the one that is shown."""
+    """Show the trip of the selected test, else of the shown one."""
 
     takes = Takes.HISTORY
 
@@ -189,12 +189,12 @@ class TripPage(QWidget):
         self._clear(NO_TRIP)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         for plot in (*self.plots, self.current):
             plot.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show the trip of the test that is shown, unless another one was chosen."""
+        """Show the trip of the shown test, unless another one was selected."""
         if not self._chosen and news.trip is not None and news.path not in (None, self.path):
             assert news.path is not None
             self._load(news.path)
@@ -235,7 +235,7 @@ class TripPage(QWidget):
 
 
 def _current_curves(capture: TripCapture) -> tuple[tuple[str, Text, str], ...]:
-    """Return the channels in A, sampled or reported once a revolution."""
+    """Return the current channels, sampled or reported once a revolution."""
     roles = ("main", "first", "second")
     channels = [channel for channel in capture.table.free if channel.unit == "A"]
     return tuple(

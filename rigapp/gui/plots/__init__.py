@@ -1,4 +1,4 @@
-"""What is drawn: colours and pens, plots that keep still, and the curves of a test in them.
+"""Plots: colours and pens, plots with stable axes, and the curves of a test in them.
 
-A plot is given the data of a test and draws what has changed; it asks the engine for nothing.
+A plot receives the data of a test and draws what has changed; it sends no requests to the engine.
 """

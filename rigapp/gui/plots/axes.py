@@ -1,4 +1,4 @@
-"""Axes that keep still: of a fixed width, with at most five ticks at round places."""
+"""Stable axes: of a fixed width, with at most five ticks at round values."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from rigapp.presentation.tokens import STEP
 from rigapp.viewer.ranges import round_places
 
 MOST_TICKS = 5
-"""More ticks do not improve reading."""
+"""Maximum number of ticks; more do not improve reading."""
 ROWS_APART = 2.0
-"""Heights of a tick's text between two ticks of a vertical axis."""
+"""Minimum distance of two ticks of a vertical axis, in heights of a tick's text."""
 TEXT_APART = "−00,000,000"
-"""At least the width of this between two ticks of a horizontal axis."""
+"""Text whose width is the minimum distance of two ticks of a horizontal axis."""
 WIDEST = "−0.0000"
-"""Of the texts at a vertical axis: its room never changes, so that the plot keeps still."""
+"""Widest text of a vertical axis, whose width is constant so that the plot does not move."""
 
 
 class QuietAxis(pg.AxisItem):  # type: ignore[misc]
-    """One axis: its width beside the plot, its ticks and its caption, which the plot paints."""
+    """One axis: its width, ticks and caption; the plot paints them."""
 
     def __init__(self, side: str) -> None:
         super().__init__(side)
@@ -33,7 +33,7 @@ class QuietAxis(pg.AxisItem):  # type: ignore[misc]
         self.caption("")
 
     def caption(self, text: str) -> None:
-        """Set the quantity along it, with its unit."""
+        """Set the caption: quantity and unit."""
         self.text = text
         row = small_font()[1].height()
         if self.flat:
@@ -43,7 +43,7 @@ class QuietAxis(pg.AxisItem):  # type: ignore[misc]
             self.setWidth(widest + STEP + (row + STEP if text else 0))
 
     def ticks(self) -> list[Tick]:
-        """Return the places of the ticks, and their texts."""
+        """Return the values of the ticks and their texts."""
         if self._tickLevels is not None:
             return list(self._tickLevels[0])
         metrics = small_font()[1]
@@ -57,5 +57,5 @@ class QuietAxis(pg.AxisItem):  # type: ignore[misc]
         return [(at, axis_number(at, step)) for at in places]
 
     def wheelEvent(self, event: Any) -> None:
-        """Leave the wheel to the plot."""
+        """Ignore the wheel, so that the plot receives it."""
         event.ignore()

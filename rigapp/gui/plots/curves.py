@@ -1,7 +1,7 @@
 """Curves and bands of a plot, all painted by one item of its scene.
 
-An item for each would cost three times as much as its painting: the scene requests the place of
-every item several times a frame.
+A separate item for each would cost three times as much as its painting: the scene queries the
+bounds of every item several times a frame.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 Changed = Callable[[], None]
 
 SHADE = 48
-"""Opacity of a band, of 255: two over each other, and a line below them, stay visible."""
+"""Opacity of a band, of 255: overlapping bands and a line below them stay visible."""
 DOT = 5.0
 """Diameter of a point, pixels."""
 NOTHING: Floats = np.empty(0)
@@ -36,11 +36,11 @@ class Trace:
 
     @property
     def empty(self) -> bool:
-        """Tell whether nothing is drawn."""
+        """Return whether nothing is drawn."""
         return len(self.x) == 0
 
     def setPen(self, pen: QPen) -> None:
-        """Draw with a pen."""
+        """Set the pen."""
         self._pen = pen
         self._changed()
 
@@ -65,7 +65,7 @@ class Trace:
 
 
 class Dots:
-    """Points that no line joins; what is NaN is not drawn."""
+    """Unconnected points; NaN is not drawn."""
 
     def __init__(self, changed: Changed) -> None:
         self._changed = changed
@@ -74,7 +74,7 @@ class Dots:
         self.x, self.y = NOTHING, NOTHING
 
     def setPen(self, pen: QPen) -> None:
-        """Draw in the colour of a pen."""
+        """Set the colour to that of a pen."""
         self._pen = QPen(pen.color(), DOT)
         self._pen.setCosmetic(True)
         self._pen.setCapStyle(Qt.PenCapStyle.RoundCap)
@@ -88,7 +88,7 @@ class Dots:
         self._changed()
 
     def paint(self, painter: QPainter) -> None:
-        """Paint the points, round however the axes stretch."""
+        """Paint the points, round at any scale of the axes."""
         places = painter.worldTransform().map(self._points)
         painter.save()
         painter.resetTransform()
@@ -108,17 +108,17 @@ class ShadedBand:
 
     @property
     def empty(self) -> bool:
-        """Tell whether nothing is drawn."""
+        """Return whether nothing is drawn."""
         return len(self.low) == 0
 
     def setPen(self, pen: QPen) -> None:
-        """Fill with the colour of a pen."""
+        """Set the colour of the area to that of a pen."""
         self._colour = pen.color()
         self._colour.setAlpha(SHADE)
         self._changed()
 
     def setData(self, x: Floats, low: Floats, high: Floats) -> None:
-        """Draw what is finite of arrays (n,)."""
+        """Draw the finite values of arrays (n,)."""
         known = np.isfinite(low) & np.isfinite(high)
         at, self.low, self.high = x[known], low[known], high[known]
         corners = np.concatenate((at, at[::-1])), np.concatenate((self.low, self.high[::-1]))
@@ -134,7 +134,7 @@ class ShadedBand:
 
 
 class Canvas(pg.GraphicsObject):  # type: ignore[misc]
-    """The one item that paints the curves of a plot, bands first; it ranges no axis."""
+    """The one item that paints the curves of a plot, bands first; it does not range the axes."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -147,13 +147,13 @@ class Canvas(pg.GraphicsObject):  # type: ignore[misc]
         return self._seen
 
     def viewTransformChanged(self) -> None:
-        """Take the new visible part."""
+        """Update the visible part."""
         view = self.getViewBox()
         self.prepareGeometryChange()
         self._seen = QRectF() if view is None else view.viewRect()
 
     def dataBounds(self, axis: int, *_: Any, **__: Any) -> tuple[None, None]:
-        """Return nothing: what is drawn ranges no axis."""
+        """Return no bounds, so that the curves do not range the axes."""
         return None, None
 
     def paint(self, painter: QPainter, *_: Any) -> None:
@@ -165,7 +165,7 @@ class Canvas(pg.GraphicsObject):  # type: ignore[misc]
 
 
 def _polygon(x: Floats, y: NDArray[np.floating]) -> QPolygonF:
-    """Return points as a polygon; a single one is repeated, so that it is painted as a dot."""
+    """Return points as a polygon; a single point is repeated, so that it is painted as a dot."""
     if len(x) == 0:
         return QPolygonF()
     if len(x) == 1:
@@ -175,7 +175,7 @@ def _polygon(x: Floats, y: NDArray[np.floating]) -> QPolygonF:
 
 
 def clear(*items: Trace | ShadedBand) -> None:
-    """Draw nothing with curves and bands."""
+    """Clear curves and bands."""
     for item in items:
         if not item.empty:
             item.setData(*(NOTHING,) * (3 if isinstance(item, ShadedBand) else 2))

@@ -1,4 +1,4 @@
-"""A plot handled by mouse and keys: a part shown larger, and two cursors with their readings."""
+"""Interaction of plots by mouse and keys: zoom, and two cursors with readings."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from PySide6.QtWidgets import QRubberBand
 from rigapp.gui.plots.readings import LARGE_STEP, SMALL_STEP, CursorPair
 
 DRAG = 12
-"""Least size of a rectangle in pixels, either way: less is a click with an unsteady hand."""
+"""Minimum width and height of a rectangle in pixels; a smaller one is treated as a click."""
 
 
 class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
-    """Show a part larger, and move two cursors, the same on every plot.
+    """Zoom, and move two cursors, with the same keys on every plot.
 
-    Subclasses define the sentence in place of the curves (``instead``), and repaint.
+    Subclasses define the sentence shown in place of the curves (``instead``), and repaint.
     """
 
     def __init__(self, **options: object) -> None:
-        """Make it with the options of pyqtgraph's widget."""
+        """Make the plot with the options of pyqtgraph's widget."""
         super().__init__(**options)
         self._home: dict[str, tuple[float, float]] = {}
         self._movable = (False, False)
@@ -30,18 +30,18 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
 
     @property
     def zoomed(self) -> bool:
-        """Tell whether a part is shown larger."""
+        """Return whether the plot is zoomed."""
         return bool(self._home)
 
     def show_range(self, side: str, low: float, high: float, padding: float = 0.0) -> None:
-        """Show values from low to high on an axis, "x" or "y"; while zoomed, after the zoom."""
+        """Set the range of an axis, "x" or "y"; while zoomed it applies after the zoom."""
         if side in self._home:
             self._home[side] = (low, high)
         else:
             (self.setXRange if side == "x" else self.setYRange)(low, high, padding=padding)
 
     def zoom(self, x: tuple[float, float], y: tuple[float, float]) -> None:
-        """Show a part larger, until ``zoom_back``."""
+        """Zoom to a part, until ``zoom_back``."""
         if not self._home:
             across, up = self.getViewBox().viewRange()
             self._home = {"x": tuple(across), "y": tuple(up)}
@@ -52,7 +52,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self._repaint()
 
     def zoom_back(self) -> None:
-        """Show the ranges outside of the zoom."""
+        """End the zoom: show the normal ranges."""
         home, self._home = self._home, {}
         if home:
             self.setMouseEnabled(*self._movable)
@@ -61,7 +61,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self._repaint()
 
     def show_cursors(self, *, both: bool = True) -> None:
-        """Put both cursors where they are visible, or remove them."""
+        """Place both cursors within the visible range, or remove them."""
         if both:
             self.cursors.show(*self.viewRange()[0])
         else:
@@ -70,7 +70,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
 
     @property
     def instead(self) -> str:
-        """Return the sentence in place of the curves, empty when these are shown."""
+        """Return the sentence shown in place of the curves, empty when these are shown."""
         return ""
 
     def _read_cursors(self) -> None:
@@ -82,7 +82,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self.viewport().update()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move the two cursors, show all again by Backspace; pass other keys to ``own_key``."""
+        """Move the two cursors, end the zoom by Backspace; pass other keys to ``own_key``."""
         if self._cursor_key(event):
             self._read_cursors()
         elif event.key() == Qt.Key.Key_Backspace and self.zoomed:
@@ -91,11 +91,11 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
             super().keyPressEvent(event)
 
     def own_key(self, event: QKeyEvent) -> bool:
-        """Do what a key does on this plot alone; return whether it does something."""
+        """Handle a key specific to this plot; return whether it was handled."""
         return False
 
     def _cursor_key(self, event: QKeyEvent) -> bool:
-        """Do what a key does with the two cursors, the same on every plot."""
+        """Handle a key for the two cursors, the same on every plot."""
         key, held, pair = Qt.Key(event.key()), event.modifiers(), self.cursors
         low, high = self.viewRange()[0]
         sign = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}.get(key)
@@ -111,7 +111,7 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         return True
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin a rectangle, or a click; with Shift put a cursor."""
+        """Begin a rectangle or a click; with Shift place a cursor."""
         shift = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
         if event.button() == Qt.MouseButton.LeftButton and shift and not self.instead:
             at = self.getViewBox().mapSceneToView(self.mapToScene(event.position().toPoint()))
@@ -134,11 +134,11 @@ class HandledPlot(pg.PlotWidget):  # type: ignore[misc]
         self._frame_drawn.setVisible(min(drawn.width(), drawn.height()) >= DRAG)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Show what is in the rectangle; one too small for that was a click."""
+        """Zoom to the rectangle; treat one that is too small as a click."""
         self._pressed = None
         if self._frame_drawn.isVisible():
             self._frame_drawn.hide()
-            self.scene().clickEvents.clear()  # else the next click were where this rectangle began
+            self.scene().clickEvents.clear()  # else the next click is at the rectangle's start
             area = self._frame_drawn.geometry()
             corners = [self.mapToScene(corner) for corner in (area.topLeft(), area.bottomRight())]
             first, last = (self.getViewBox().mapSceneToView(corner) for corner in corners)

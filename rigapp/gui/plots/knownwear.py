@@ -1,4 +1,4 @@
-"""Plots of what is known of the wear: depth with predicted bands, narrowing posterior."""
+"""Plots of the evaluated wear: depth with predicted bands, narrowing posterior."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ from rigapp.viewer.quantities import UM_PER_MM
 from rigapp.viewer.ranges import SteadyRange
 
 BUCKETS = 1200
-"""Points of a line across: about one for each pixel."""
+"""Maximum number of points of a line: about one for each pixel."""
 DEPTH, MODEL_DEPTH = "measured_wear_depth", "wear_depth"
 PROBES: Final = ("probe_1", "probe_2")
 NO_RECORD: Final[Text] = "No forecast: the probes have no calibration record. Calibrate them."
 FORECAST_REST_S = 60.0
-"""Between two computations for the overview: each takes a core for seconds."""
+"""Minimum time between two evaluations for the overview: each occupies a core for seconds."""
 EARLY, NEWEST, MEASURED = (
     LinePen("second", dashed=True),
     LinePen("model", dashed=True),
@@ -58,18 +58,18 @@ class ShadedCurve:
         self.median = plot.curve(pen)
 
     def draw(self, x: Floats, low: Floats, median: Floats, high: Floats) -> None:
-        """Draw what is finite of arrays (n,)."""
+        """Draw the finite values of arrays (n,)."""
         known = np.isfinite(low) & np.isfinite(high)
         self.median.setData(x[known], median[known])
         self._band.setData(x, low, high)
 
     def clear(self) -> None:
-        """Draw nothing."""
+        """Clear the curve."""
         clear(self.median, self._band)
 
 
 class DepthPlot(QuietPlot):
-    """The measured depth to the planned end, with predicted bands, or the model without these."""
+    """The measured depth to the planned end, with predicted bands, else with the model."""
 
     def __init__(self, name: str, theme: Theme) -> None:
         super().__init__(name, "Wear depth against cycle, with bands", theme)
@@ -80,9 +80,9 @@ class DepthPlot(QuietPlot):
         self._measured = self.curve(MEASURED)
 
     def draw(self, known: KnownWear, news: News, waiting: Text, *, early: bool = True) -> None:
-        """Draw what is known over the newest measured depths.
+        """Draw the evaluated wear with the newest measured depths.
 
-        waiting: why there is nothing. early: the band that was predicted first, too.
+        waiting: reason for a missing evaluation. early: draw the first predicted band, too.
         """
         predictions, names, highest = news.data.predictions, [], 0.0
         for band, pen, shown in zip(
@@ -140,14 +140,14 @@ class DepthBandPanel(PlotPanel):
         column(plot_heading("Wear depth"), self.title, (self.plot, 1), on=self)
 
     def draw(self, known: KnownWear, news: News, waiting: Text) -> None:
-        """Draw what is known; waiting: why there is nothing."""
+        """Draw the evaluated wear; waiting: reason for a missing evaluation."""
         self.plot.draw(known, news, waiting)
 
 
 class ForecastPanel(PlotPanel):
-    """Draw the depth to the planned end with its forecast; show what remains, or why it is unknown.
+    """Draw the depth to the planned end with its forecast; show the remaining life or a reason.
 
-    calibrate: called by the button that is shown where the probes have no record.
+    calibrate: called by the button that is shown where the probes have no calibration record.
     """
 
     takes = Takes.HISTORY
@@ -173,7 +173,7 @@ class ForecastPanel(PlotPanel):
         column(head, self.remains, below, (self.plot, 1), on=self)
 
     def show_news(self, news: News) -> None:
-        """Draw what is known; a forecast is computed again once a minute."""
+        """Draw the evaluated wear; the forecast is updated once a minute."""
         self._reader.look(news, FORECAST_REST_S if self._reader.known.bands else REST_S)
         known, status = self._reader.known, news.status
         waiting = tr(
@@ -196,13 +196,13 @@ class ForecastPanel(PlotPanel):
 
 
 def probes_lack_record(status: Status) -> bool:
-    """Tell whether a probe has no stated uncertainty, without which nothing is forecast."""
+    """Return whether a probe has no stated uncertainty, without which there is no forecast."""
     probes = [channel for channel in status.rig.channels if channel.name in PROBES]
     return bool(probes) and any(probe.uncertainty is None for probe in probes)
 
 
 class NarrowingPanel(PlotPanel):
-    """Draw the wear coefficient with its limits against the cycle at which it was known."""
+    """Draw the wear coefficient with its limits against the cycle of its evaluation."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__("wear_narrowing_panel", "Wear coefficient against cycle")
@@ -218,7 +218,7 @@ class NarrowingPanel(PlotPanel):
         self.plot.empty(f"{tr(NO_REVOLUTION)}: {waiting}")
 
     def draw(self, known: KnownWear, waiting: Text) -> None:
-        """Draw the course of what was known; waiting: why there is nothing."""
+        """Draw the course of the evaluation; waiting: reason for a missing one."""
         if not known.course:
             self.band.clear()
             self.plot.empty(waiting)

@@ -1,7 +1,7 @@
-"""The marks on a plot beside its curves: grid, limits, moments, spots, names at the curves.
+"""Marks on a plot: grid, limits, moments, spots, names at the curves.
 
-They are painted directly from plain records, since an item of the scene for each would cost more
-than the curves.
+They are painted directly from plain records, since a scene item for each would cost more than the
+curves.
 """
 
 from __future__ import annotations
@@ -29,22 +29,22 @@ from rigapp.viewer.shown import MARKS, Level, level_of_limit
 Tick = tuple[float, str]
 Floats = NDArray[np.floating]
 Place = TypeVar("Place", float, Floats)
-"""A value, or values, along an axis."""
+"""A value or an array of values on an axis."""
 NEAREST = 1e-9
-"""Least width of a range: a narrower one is empty."""
+"""Minimum width of a range; a narrower one is empty."""
 GROUND = 200
-"""Opacity of the ground of words at a spot, of 255: a curve below stays visible."""
+"""Opacity of the background of texts at a spot, of 255: a curve below stays visible."""
 READOUT_GROUND = 230
-"""Opacity of the ground of the table at the cursors, of 255."""
+"""Opacity of the background of the table at the cursors, of 255."""
 CLOSEST = 0.8
-"""Distance of two names in line heights: letters are so high, and do not touch."""
+"""Minimum distance of two names in line heights: the height of letters, which then do not touch."""
 MOST_NAME = 24
-"""Characters of the words at a moment; its full text is in the log."""
+"""Maximum number of characters at a moment; its full text is in the log."""
 
 
 @dataclass(frozen=True, slots=True)
 class CurveName:
-    """The name of a curve, at the right of it, and the value at which the curve ends."""
+    """The name of a curve, written on its right, and the last value of the curve."""
 
     text: str
     pen: LinePen
@@ -53,7 +53,7 @@ class CurveName:
 
 @dataclass(frozen=True, slots=True)
 class LimitLine:
-    """A limit of what is drawn; below: the forbidden side is below it."""
+    """A limit of the drawn quantity; below: the forbidden side is below it."""
 
     value: float
     words: str
@@ -63,7 +63,7 @@ class LimitLine:
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """A point with words; beyond the range it is a caret at the edge."""
+    """A point with a text; outside the range it is drawn as a caret at the edge."""
 
     x: float
     y: float
@@ -82,14 +82,14 @@ class Marks:
 
     @property
     def words(self) -> str:
-        """Return all of it for a screen reader."""
+        """Return the text of all marks for a screen reader."""
         parts = [mark.text for mark in self.names] + [mark.text for mark in self.spots]
         return ", ".join((*parts, *(limit.words for limit in self.limits)))
 
 
 @dataclass(frozen=True, slots=True)
 class PlotFrame:
-    """Where values are on the screen: the rectangle of the curves and the ranges of both axes."""
+    """Transform values to the screen: rectangle of the curves and ranges of both axes."""
 
     rect: QRectF
     x_range: tuple[float, float]
@@ -101,15 +101,15 @@ class PlotFrame:
         return self.rect.left() + self.rect.width() * (value - low) / max(high - low, NEAREST)
 
     def y(self, value: Place) -> Place:
-        """Return the y of a value, pixels from above."""
+        """Return the y of a value, pixels from the top."""
         low, high = self.y_range
         return self.rect.bottom() - self.rect.height() * (value - low) / max(high - low, NEAREST)
 
 
 def spread(wanted: Sequence[float], room: float, low: float, high: float) -> list[float]:
-    """Return places near the wanted ones, in their order, that are ``room`` apart in low..high.
+    """Return positions near the wanted ones, in order, at least ``room`` apart in low..high.
 
-    Where there is too little room for all, they are equally close from low on.
+    Where there is too little room, they are equally spaced from low.
     """
     order = sorted(range(len(wanted)), key=lambda index: wanted[index])
     room = min(room, (high - low) / max(len(wanted) - 1, 1))
@@ -137,7 +137,7 @@ def _width_of_name(text: str) -> int:
 
 
 def name_room(names: Sequence[CurveName]) -> int:
-    """Return the width that names need beside a plot, on the grid."""
+    """Return the width of names beside a plot, rounded to the layout grid."""
     widest = max((_width_of_name(name.text) for name in names), default=0)
     return -(-(widest + STEP) // (2 * STEP)) * 2 * STEP
 
@@ -170,7 +170,7 @@ def paint_axes(
 
 
 def paint_captions(painter: QPainter, frame: PlotFrame, across: str, up: str, theme: Theme) -> None:
-    """Write the captions of the axes: below the ticks, and turned at the left of them."""
+    """Write the captions of the axes: below the ticks, and rotated at their left."""
     rect = frame.rect
     font, metrics = small_font()
     painter.setFont(font)
@@ -210,7 +210,7 @@ def _limit_colour(limit: LimitLine, theme: Theme) -> str:
 
 
 def _clear_first(places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]) -> list[QRectF]:
-    """Return places ordered by how many points of curves are in them, the emptiest first.
+    """Return rectangles ordered by the number of curve points in them, the fewest first.
 
     curves: x and y of each on the screen, arrays (n,).
     """
@@ -233,7 +233,7 @@ def paint_limit_words(
     taken: list[QRectF],
     curves: Sequence[tuple[Floats, Floats]] = (),
 ) -> None:
-    """Write what happens at each limit in the range, beside the curves where there is room.
+    """Write the action of each limit in the range, clear of the curves where there is room.
 
     curves: x and y of each on the screen, arrays (n,).
     """
@@ -258,7 +258,7 @@ def paint_next_limits(
     taken: list[QRectF],
     curves: Sequence[tuple[Floats, Floats]] = (),
 ) -> None:
-    """Write at the edges of the range the next limits beyond it, beside spots and curves.
+    """Write the next limits outside the range at its edges, clear of spots and curves.
 
     curves: see ``paint_limit_words``.
     """
@@ -281,7 +281,7 @@ def paint_next_limits(
 
 
 def _along(rect: QRectF, metrics: QFontMetrics, text: str, tops: Sequence[float]) -> list[QRectF]:
-    """Return places for words at heights: at the left, in the middle, at the right."""
+    """Return rectangles for a text at given heights: left, centre, right."""
     width, height = float(metrics.horizontalAdvance(text)), float(metrics.height())
     lefts = (rect.left() + STEP, rect.center().x() - width / 2, rect.right() - width - STEP)
     return [QRectF(left, top, width, height) for left in lefts for top in tops]
@@ -296,7 +296,7 @@ def _words(
     taken: list[QRectF],
     ground: QColor | None = None,
 ) -> None:
-    """Write words at the first free place; ground: painted below them, over the curves."""
+    """Write a text in the first free rectangle; ground: background painted over the curves."""
     rect = frame.rect.adjusted(0, -1, 0, 1)
     for box in places:
         if rect.contains(box) and not any(box.intersects(other) for other in taken):
@@ -311,9 +311,9 @@ def _words(
 def paint_names(
     painter: QPainter, frame: PlotFrame, names: Sequence[CurveName], theme: Theme
 ) -> None:
-    """Write the names of curves at the right of them, apart from each other.
+    """Write the names of curves at their right, without overlap.
 
-    Where not all have room the last ones are left out.
+    Where not all have room, the last ones are omitted.
     """
     font, metrics = small_font(strong=True)
     painter.setFont(font)
@@ -328,7 +328,7 @@ def paint_names(
 
 
 def paint_cursor(painter: QPainter, frame: PlotFrame, at: float, text: str, theme: Theme) -> None:
-    """Write the value of the cursor at its foot."""
+    """Write the value of the cursor at its lower end."""
     font, metrics = small_font(strong=True)
     painter.setFont(font)
     width, height = metrics.horizontalAdvance(text) + STEP, float(metrics.height())
@@ -343,7 +343,7 @@ def paint_readout(
     painter: QPainter, frame: PlotFrame, places: Sequence[float], rows: Sequence[Sequence[str]],
     theme: Theme,
 ) -> None:  # fmt: skip
-    """Paint two cursors, numbered at their heads, and the table of what is read at them."""
+    """Paint two cursors, numbered at their upper ends, and the table of their readings."""
     font, metrics = small_font(strong=True)
     painter.setFont(font)
     for number, at in enumerate(places, 1):
@@ -379,7 +379,7 @@ def paint_readout(
 def paint_spots(
     painter: QPainter, frame: PlotFrame, spots: Sequence[Spot], theme: Theme, taken: list[QRectF]
 ) -> None:
-    """Paint spots with their words beside them; one beyond the range as a caret at the edge."""
+    """Paint spots with their texts; one outside the range as a caret at the edge."""
     font, metrics = small_font(strong=True)
     painter.setFont(font)
     rect, size = frame.rect, STEP / 2.0
@@ -409,7 +409,7 @@ def paint_spots(
 
 
 def _ground(theme: Theme) -> QColor:
-    """Return the ground of words over curves."""
+    """Return the background of texts over curves."""
     ground = QColor(theme.base)
     ground.setAlpha(GROUND)
     return ground
@@ -418,14 +418,14 @@ def _ground(theme: Theme) -> QColor:
 def paint_moments(
     painter: QPainter, frame: PlotFrame, moments: Sequence[MarkedMoment], theme: Theme
 ) -> None:
-    """Paint a line at every moment, and in the lane above the plot its shape and its words."""
+    """Paint a line at every moment, with its shape and text in the lane above the plot."""
     low, high = frame.x_range
     shown = [moment for moment in moments if low <= moment.revolution <= high]
     font, metrics = small_font()
     painter.setFont(font)
     middle = frame.rect.top() - metrics.height() / 2.0 - 2.0
     free = frame.rect.right()
-    # From the right, so that the newest keep their words where not all have room.
+    # From the right, so that the newest keep their texts where not all have room.
     for moment in reversed(shown):
         x = frame.x(moment.revolution)
         critical = moment.severity is Severity.CRITICAL
@@ -445,13 +445,13 @@ def paint_moments(
 
 
 def trip_lines(frame: PlotFrame, moments: Sequence[MarkedMoment]) -> list[QRectF]:
-    """Return the places of the lines of critical moments, which words must not cover."""
+    """Return the rectangles of the lines of critical moments, which texts must not cover."""
     shown = [moment.revolution for moment in moments if moment.severity is Severity.CRITICAL]
     return [QRectF(frame.x(at) - 1.0, frame.rect.top(), 2.0, frame.rect.height()) for at in shown]
 
 
 def _shape(severity: Severity | None, x: float, y: float) -> QPolygonF:
-    """Return a flag for a note, a triangle for a warning, a diamond for what is critical."""
+    """Return the shape of a severity: flag (note), triangle (warning), diamond (critical)."""
     half = STEP / 2.0
     corners = {
         None: ((0, -1), (1.6, -0.4), (0, 0.2), (0, 1.2), (-0.3, 1.2), (-0.3, -1)),
@@ -462,13 +462,13 @@ def _shape(severity: Severity | None, x: float, y: float) -> QPolygonF:
 
 
 def alarm_token(news: News) -> tuple[tuple[str, str], ...]:
-    """Return what the colours of limits depend on: a plot is drawn anew when it changes."""
+    """Return the data that determine the colours of limits; their change requires a redraw."""
     alarms = news.status.alarms if news.status is not None else ()
     return tuple((alarm.key, alarm.state) for alarm in alarms)
 
 
 def limit_lines(news: News, columns: Collection[str]) -> tuple[LimitLine, ...]:
-    """Return the limits of columns as lines of a plot, each coloured by its alarm alone."""
+    """Return the limits of columns as lines of a plot, each coloured by its own alarm."""
     alarms = news.status.alarms if news.status is not None else ()
     return tuple(
         LimitLine(margin.limit, margin.words, margin.below, level_of_limit(alarms, margin.key))

@@ -1,4 +1,4 @@
-"""One revolution of the joint force: measured solid, model dashed, their difference below."""
+"""Joint force over one revolution: measured solid, model dashed, their difference below."""
 
 from __future__ import annotations
 
@@ -44,26 +44,26 @@ if TYPE_CHECKING:
 
 PENS = dict(zip(CURVES, map(LinePen, ("main", "first", "second")), strict=True))
 OTHER = LinePen("frozen")
-"""The pen of a revolution behind the newest one."""
+"""Pen of a revolution drawn behind the newest one."""
 WAITING: Final[Text] = (
     "No revolution measured yet: the joint force over one turn of the crank is drawn here."
 )
 NO_PREDICTION: Final[Text] = "No prediction yet: measured − model is drawn here."
 UNFOLLOWED: Final[Text] = "the speed changes faster than the prediction can follow"
 FORCE_HEIGHT = 24 * STEP
-"""Of the main plot of each page of forces."""
+"""Height of the main plot on each page of forces."""
 WHOLE_TURN = np.array([0.0, 360.0])
 FROZEN, STORED, GOOD = marked("frozen"), marked("stored"), marked("last good")
 SAVED = marked("last saved")
-"""Kinds of revolutions behind the newest one: frozen, from the file, before a trip."""
+"""Kinds of revolutions drawn behind the newest one: frozen, from the file, before a trip."""
 BEHIND = (FROZEN, STORED, GOOD, SAVED)
 
 
 class AnglePlot(CursorPlot):
-    """A plot over the crank angle whose cursor the arrows move."""
+    """A plot over the crank angle whose cursor is moved by the arrow keys."""
 
     def own_key(self, event: QKeyEvent) -> bool:
-        """Move the cursor by 1 deg, with Shift by 10 deg; Esc takes it away."""
+        """Move the cursor by 1 deg, with Shift by 10 deg; remove it by Esc."""
         step = 10.0 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
         at = self.cursor_line.value() if self.cursor_line.isVisible() else 180.0
         sign = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}.get(Qt.Key(event.key()))
@@ -151,7 +151,7 @@ class OverlayPanel(PlotPanel):
         self._read_out()
 
     def show_force_alone(self) -> None:
-        """Leave out the strip of the difference, where there is room for one plot."""
+        """Hide the strip of the difference, where there is room for one plot only."""
         for part in (self._difference, self.residual_plot):
             part.hide()
         self.plot.show_crank_angle()
@@ -170,7 +170,7 @@ class OverlayPanel(PlotPanel):
         self._drawn = ()
 
     def show_news(self, news: News) -> None:
-        """Draw the newest revolution if it is not drawn yet and the picture is not held."""
+        """Draw the newest revolution if it is not drawn yet and the plot is not held."""
         self.set_mechanism(news.crank_over_follower)
         data = news.data
         first = self._data is None
@@ -215,7 +215,7 @@ class OverlayPanel(PlotPanel):
             self.plot.show_marks(limits=limit_lines(news, {f"{SIZE}_max"}))
 
     def _put_behind(self, trip: TripCycles | None) -> None:
-        """Put the last whole cycle before a trip behind it."""
+        """Draw the last complete cycle before a trip behind that of the trip."""
         for kind in (GOOD, SAVED):
             self._others.pop(kind, None)
         if trip is not None and trip.before is not None:
@@ -224,11 +224,11 @@ class OverlayPanel(PlotPanel):
 
     @property
     def _peak_N(self) -> float:
-        """Return the largest force of a trip; samples may be beyond what the curve shows."""
+        """Return the largest force of a trip, which the curve may not show."""
         return self._peak.value_N if self._peak is not None else -math.inf
 
     def _start_afresh(self, *, first: bool) -> None:
-        """Drop what belongs to another test: ranges, marks, and revolutions behind."""
+        """Reset the ranges, marks and revolutions of another test."""
         if not first:
             self._others.clear()
             self.freeze.setChecked(False)
@@ -251,7 +251,7 @@ class OverlayPanel(PlotPanel):
         self.residual_plot.empty(NO_PREDICTION)
 
     def draw(self, shown: RevolutionCurves) -> None:
-        """Draw arrays."""
+        """Draw the curves of a revolution."""
         self.shown = shown
         buckets = max(self.plot.width(), 200)
         at, curves = thinned(shown.angle_deg, stacked(shown.measured), buckets)
@@ -265,7 +265,7 @@ class OverlayPanel(PlotPanel):
         self._read_out()
 
     def set_cursor(self, angle_deg: float | None) -> None:
-        """Put the cursor at a crank angle and read the values there; None takes it away."""
+        """Place the cursor at a crank angle and show the values there; None removes it."""
         self._cursor = None if angle_deg is None else angle_deg % 360.0
         for plot in (self.plot, self.residual_plot):
             plot.show_cursor(self._cursor)
@@ -293,9 +293,9 @@ class OverlayPanel(PlotPanel):
         self.residual_plot.fit(-worst, worst)
 
     def _agreement(self, shown: RevolutionCurves) -> Floats:
-        """Return the band of measured minus predicted, N: on the model's angles, or at both ends.
+        """Return the band of measured minus predicted, N: at the model's angles, or at both ends.
 
-        An older prediction has only the part of the angle; that of the load cell is added.
+        An older prediction has only the contribution of the angle; the load cell's is added.
         """
         if shown.agreement is not None:
             return shown.agreement
@@ -314,7 +314,7 @@ class OverlayPanel(PlotPanel):
                 curves[name].setData(at, values)
 
     def _show_words(self, shown: RevolutionCurves) -> None:
-        """Write the title, and the names at the curves."""
+        """Show the title and the names at the curves."""
         title = tr("N, cycle {}", grouped(shown.measured_revolution))
         if self._tripped:
             title += tr(", tripped")
@@ -334,7 +334,7 @@ class OverlayPanel(PlotPanel):
             self.residual_plot.show_marks(names=(CurveName(f"± {both:.2g} N", MODEL, both),))
 
     def _names(self, shown: RevolutionCurves) -> list[CurveName]:
-        """Return the names at the curves, with the values at the cursor where there is one."""
+        """Return the names at the curves, with values where there is a cursor."""
         names = []
         values = None if self._cursor is None else values_at(shown, self._cursor)
         for (name, pen), text in zip(PENS.items(), self._words, strict=True):
@@ -353,11 +353,11 @@ class OverlayPanel(PlotPanel):
 
     @property
     def _words(self) -> tuple[str, ...]:
-        """Return the names of the curves; the frame is shown above the plot."""
+        """Return the names of the curves without the frame, which is shown above the plot."""
         return ("|F|", *(tr(name) for name in SHORT_NAMES[self.frame]))
 
     def _read_out(self) -> None:
-        """Show measured minus model at the cursor, or why they differ."""
+        """Show measured minus model at the cursor, or the reason for their difference."""
         text, short = tr("N, grey: every sample"), "N"
         if self._doubt.unfollowed:
             text, short = f"▲ {tr(UNFOLLOWED)}", "▲"

@@ -1,4 +1,4 @@
-"""The lines of plots in any theme."""
+"""Pens of the lines of plots in any theme."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from rigapp.presentation.tokens import Theme
 
 @dataclass(frozen=True, slots=True)
 class LinePen:
-    """How a line is drawn in any theme.
+    """Style of a line in any theme.
 
-    colour: a role of ``Theme.curves``, a field of ``Theme``, or a colour itself (``#rrggbb``).
-    Every line is one pixel wide and opaque: wider ones take four times as long to paint.
+    colour: a role of ``Theme.curves``, a field of ``Theme``, or a colour (``#rrggbb``). Every line
+    is one pixel wide and opaque: wider ones take four times as long to paint.
     """
 
     colour: str
@@ -30,7 +30,7 @@ class LinePen:
         return pen
 
     def ink(self, theme: Theme) -> QColor:
-        """Return the colour of words about the line in a theme."""
+        """Return the colour of texts about the line in a theme."""
         return QColor(self._colour(theme))
 
     def _colour(self, theme: Theme) -> str:
@@ -39,10 +39,10 @@ class LinePen:
 
 MODEL = LinePen("model", dashed=True)
 STALE_CURVE = LinePen("frozen", dashed=True)
-"""A predicted line, and one that is older than the measured lines."""
+"""Pen of a predicted line that is older than the measured lines."""
 
 DASHES = (8.0, 4.0)
-"""Stroke and gap in pixels: long enough to be seen through the noise of a measured line."""
+"""Dash and gap in pixels: long enough to be visible through the noise of a measured line."""
 
 
 def line_pen(colour: str, *, dotted: bool = False) -> QPen:

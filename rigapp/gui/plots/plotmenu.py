@@ -1,4 +1,4 @@
-"""The menu of a plot: its picture, copied or saved, and the data of its curves."""
+"""The menu of a plot: copy or save its picture, save the data of its curves."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rigapp.schema.details import error_text
 
 PICTURES: Final = (".png", ".svg", ".pdf")
 PIXELS_EACH: Final = 3
-"""Of a PNG for each of the screen: 300 a printed inch."""
+"""Pixels of a PNG for each pixel of the screen: 300 per printed inch."""
 COPY: Final[Text] = "Copy picture"
 SAVE_PICTURE: Final[Text] = "Save picture…"
 SAVE_DATA: Final[Text] = "Save data…"
@@ -32,7 +32,7 @@ Write = Callable[[QuietPlot, Path], None]
 
 
 def offer_menus(page: QWidget, say: Callable[[str, bool], None]) -> None:
-    """Give every plot on a page its menu, by mouse and by the key of menus.
+    """Attach a menu to every plot on a page, opened by mouse or menu key.
 
     say: shows the result, and whether it is a success.
     """
@@ -43,7 +43,7 @@ def offer_menus(page: QWidget, say: Callable[[str, bool], None]) -> None:
 
 
 def open_menu(plot: QuietPlot, at: QPoint) -> None:
-    """Show the menu of a plot at a place of it."""
+    """Show the menu of a plot at a position in it."""
     menu = QMenu(plot)
     menu.setObjectName("plot_menu")
     for text, call in (
@@ -64,12 +64,12 @@ def open_menu(plot: QuietPlot, at: QPoint) -> None:
 
 
 def copy_picture(plot: QuietPlot) -> None:
-    """Put the picture of a plot on the clipboard."""
+    """Copy the picture of a plot to the clipboard."""
     QGuiApplication.clipboard().setPixmap(plot.grab())
 
 
 def save_picture(plot: QuietPlot, path: Path) -> None:
-    """Write the picture of a plot in the format of the ending; raise UnusableInput on failure."""
+    """Write the picture of a plot in the format of the suffix; raises UnusableInput on failure."""
     with whole_file(path) as part:
         ending = path.suffix.lower()
         if ending == ".png":
@@ -107,13 +107,13 @@ def _render(plot: QuietPlot, device: QPaintDevice, target: QRectF) -> None:
 
 
 def save_data(plot: QuietPlot, path: Path) -> None:
-    """Write the curves of a plot as CSV, a row a point: curve, place across, value."""
+    """Write the curves of a plot as CSV, one row for each point: curve, x, value."""
     with whole_file(path) as part, part.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file, lineterminator="\n").writerows(data_rows(plot))
 
 
 def data_rows(plot: QuietPlot) -> Iterator[tuple[str, ...]]:
-    """Yield a table of the curves that are drawn, with all their points; its names first."""
+    """Yield the rows of a table of all points of the drawn curves; the header first."""
     yield tr("Curve"), *plot.captions()
     for name, trace in plot.curves():
         for x, y in zip(trace.x.tolist(), trace.y.tolist(), strict=True):

@@ -1,4 +1,4 @@
-"""A panel of plots, and the labels beside them: titles, units, remarks."""
+"""A panel of plots with labels: titles, units, remarks."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.series import LiveData
 
 NO_REVOLUTION: Final[Text] = "No revolution measured yet"
-"""Begin of the sentence of a plot without a revolution yet."""
+"""Start of the sentence shown in a plot before the first revolution."""
 
 
 class PlotPanel(QWidget):
-    """A panel of plots: in a new theme every plot on it is drawn anew.
+    """A panel of plots, which are redrawn in a new theme.
 
-    The data that is drawn is held weakly: a hidden panel keeps no test that is over.
+    The drawn data are referenced weakly, so that a hidden panel does not keep an ended test.
     """
 
     def __init__(self, name: str, spoken: Text) -> None:
@@ -35,32 +35,32 @@ class PlotPanel(QWidget):
         self.setContentsMargins(GAP, STEP, GAP, STEP)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         for plot in self.findChildren(QuietPlot):
             plot.dress(theme)
 
     def minimumSizeHint(self) -> QSize:
-        """Return what it needs at its width: a splitter does not consider how its texts wrap."""
+        """Return the minimum size at this width: a splitter does not consider wrapped texts."""
         least, layout = super().minimumSizeHint(), self.layout()
         if layout is not None and layout.hasHeightForWidth():
             least.setHeight(max(least.height(), layout.totalMinimumHeightForWidth(self.width())))
         return least
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Update the size hint: texts wrap differently now."""
+        """Update the size hint, since texts wrap differently."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
 
     def take_data(self, data: LiveData) -> bool:
-        """Set the data that is drawn; return whether it has changed."""
+        """Set the data to draw; return whether they are other data."""
         other = self._data is None or data is not self._data()
         if other:
             self._data = ref(data)
         return other
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Empty the plots of a test that is over; the new one is drawn in a later turn."""
+        """Clear the plots of an ended test; the new one is drawn later in the event loop."""
         if self._data is not None and self._data() is None:
             for plot in self.findChildren(QuietPlot):
                 plot.empty(NO_REVOLUTION)
@@ -75,12 +75,12 @@ def plot_heading(text: Text) -> QLabel:
 
 
 def remark(name: str, spoken: Text) -> QLabel:
-    """Return a label for a few words below a title; it wraps."""
+    """Return a wrapping label for a short text below a title."""
     return prose(name, spoken, role="caption")
 
 
 def detail(name: str, spoken: Text) -> ShortLabel:
-    """Return a label beside a title, for unit or revolution; its short text always has room."""
+    """Return a label beside a title, for unit or revolution; its short text always fits."""
     label = ShortLabel(name, spoken)
     label.setProperty("role", "secondary")
     label.setContentsMargins(STEP // 2, 0, STEP // 2, 0)

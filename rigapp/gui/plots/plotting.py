@@ -1,4 +1,4 @@
-"""Plots that keep still and cost little: fixed ranges, names at the curves, marks painted."""
+"""Plots with stable axes and low cost: fixed ranges, names at the curves, painted marks."""
 
 from __future__ import annotations
 
@@ -52,15 +52,15 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.ranges import SteadyRange
 
 LEAST_HEIGHT = 20 * STEP
-"""Of a plot with its axis: a page too low for it scrolls."""
+"""Minimum height of a plot with its axis; a lower page scrolls."""
 LEAST_ROOM = 2 * STEP
-"""Beside a plot without names: room for half of the last tick's text."""
+"""Margin beside a plot without names: half of the last tick's text."""
 QUARTERS = range(0, 361, 90)
-"""Of a turn, degrees: where an axis of crank angles has its ticks."""
+"""Ticks of an axis of crank angles, degrees."""
 
 
 class NameRoom:
-    """The common width of the names of curves beside plots that are below each other."""
+    """Common width of the curves' names beside plots that are below each other."""
 
     def __init__(self) -> None:
         self._needs: dict[QuietPlot, int] = {}
@@ -71,11 +71,11 @@ class NameRoom:
         return max(self._needs.values(), default=LEAST_ROOM)
 
     def need(self, plot: QuietPlot, width: int) -> None:
-        """Set the width for the names of a plot; it shrinks only when the plot starts afresh."""
+        """Set the width for the names of a plot; it decreases only after ``start_afresh``."""
         self._set(plot, max(width, self._needs.get(plot, LEAST_ROOM)))
 
     def start_afresh(self, plot: QuietPlot) -> None:
-        """Reset to the least width: the plot draws another test next."""
+        """Reset to the minimum width before the plot draws another test."""
         self._set(plot, LEAST_ROOM)
 
     def _set(self, plot: QuietPlot, width: int) -> None:
@@ -87,12 +87,12 @@ class NameRoom:
 
 
 class QuietPlot(HandledPlot):
-    """A plot without buttons, automatic ranges or a legend; ``show_marks`` does the rest.
+    """A plot without buttons, automatic ranges or a legend; for names and marks see ``show_marks``.
 
-    A rectangle drawn with the mouse is shown larger, moved by the middle button, until Backspace or
-    the menu shows all again; the menu (right click, Shift+F10) saves picture and data.
-    Shift+click, or the keys 1 and 2, put two cursors that Ctrl with an arrow moves and Esc removes.
-    ``reported``: the result of the menu, and whether it is a success.
+    Drawing a rectangle with the mouse zooms; the middle button moves the part; Backspace or the
+    menu ends the zoom. The menu (right click, Shift+F10) saves picture and data. Shift+click or the
+    keys 1 and 2 place two cursors, Ctrl with an arrow moves them, Esc removes them. ``reported``:
+    the result of the menu, and whether it is a success.
     """
 
     reported = Signal(str, bool)
@@ -106,7 +106,7 @@ class QuietPlot(HandledPlot):
         lane: bool = False,
         room: NameRoom | None = None,
     ) -> None:
-        """Make a plot; lane: with room above it for the words of moments; room: a shared one."""
+        """Make a plot; lane: reserve room above for texts of moments; room: shared name width."""
         axes = {side: QuietAxis(side) for side in ("left", "bottom")}
         super().__init__(background=theme.base, axisItems=axes, enableMenu=False)
         named(self, name, spoken)
@@ -130,7 +130,7 @@ class QuietPlot(HandledPlot):
         self._instead.setWordWrap(True)
         self._instead.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._instead.hide()
-        # The background of the curves is painted once, and cached until something of it moves.
+        # The background of the curves is cached until a part of it moves.
         view = self.getViewBox()
         for moved in (view.sigRangeChanged, view.sigResized, view.geometryChanged):
             moved.connect(self._repaint)
@@ -139,11 +139,11 @@ class QuietPlot(HandledPlot):
         self.dress(theme)
 
     def sizeHint(self) -> QSize:
-        """Return the minimum: a page then scrolls only where that has no room."""
+        """Return the minimum size, so that a page scrolls only where this does not fit."""
         return QSize(self.minimumWidth(), self.minimumHeight())
 
     def captions(self) -> tuple[str, str]:
-        """Return the captions of the axes; the plot's name in place of a missing vertical one."""
+        """Return the captions of the axes; the plot's name replaces a missing vertical one."""
         return self._axes["bottom"].text, self._axes["left"].text or self.accessibleName()
 
     def drawn(self) -> Iterator[tuple[PlottedCurve, LinePen | None]]:
@@ -155,7 +155,7 @@ class QuietPlot(HandledPlot):
                 yield ItemPoints(np.asarray(x, np.float64), np.asarray(y, np.float64)), None
 
     def curves(self) -> Iterator[NamedCurve]:
-        """Yield the curves that are drawn, each with its name."""
+        """Yield the drawn curves with their names."""
         return named_curves(self.drawn(), self._marks.names)
 
     def _read_cursors(self) -> None:
@@ -170,7 +170,7 @@ class QuietPlot(HandledPlot):
         return readout(self.cursors, self.captions()[0] or self._across, self.curves())
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme: background, axes, every curve and line."""
+        """Apply a theme to background, axes, curves and lines."""
         self.theme = theme
         self.setBackground(theme.base)
         self._instead.setStyleSheet(f"color: {theme.muted}; border: 1px dashed {theme.border}")
@@ -178,7 +178,7 @@ class QuietPlot(HandledPlot):
             item.setPen(pen.of(theme))
 
     def label(self, side: str, text: Text) -> None:
-        """Write an axis label; the unit is part of the text."""
+        """Set the label of an axis; the unit is part of the text."""
         axis, text = self._axes[side], tr(text)
         if text != axis.text:
             axis.caption(text)
@@ -186,16 +186,16 @@ class QuietPlot(HandledPlot):
 
     @property
     def instead(self) -> str:
-        """Return the sentence in place of axes and curves, empty when these are shown."""
+        """Return the sentence shown in place of axes and curves, empty when these are shown."""
         return self._instead.text()
 
     def name_places(self, side: str, texts: Sequence[str]) -> None:
-        """Write texts at 0, 1, 2 … of an axis in place of numbers; none: numbers again."""
+        """Label 0, 1, 2 … of an axis by texts instead of numbers; none: numbers again."""
         self._axes[side].setTicks([list(enumerate(texts))] if texts else None)
         self._repaint()
 
     def empty(self, sentence: Text) -> None:
-        """Show a sentence in place of axes and curves without data; "": show these."""
+        """Show a sentence in place of axes and curves; an empty one shows these again."""
         sentence = tr(sentence)
         if sentence == self._instead.text():
             return
@@ -206,20 +206,20 @@ class QuietPlot(HandledPlot):
         self._repaint()
 
     def resizeEvent(self, event: QResizeEvent | None) -> None:
-        """Keep the sentence of an empty plot in its middle."""
+        """Centre the sentence of an empty plot."""
         super().resizeEvent(event)
         if event is not None:
             self._instead.setGeometry(self.rect().adjusted(GAP, STEP, -GAP, -STEP))
 
     def curve(self, pen: LinePen) -> Trace:
-        """Add an empty curve for data known to be finite."""
+        """Add an empty curve."""
         item = Trace(self._canvas.update)
         self._canvas.traces.append(item)
         self.draw_with(pen, item)
         return item
 
     def dots(self, pen: LinePen) -> Dots:
-        """Add points that no line joins, none yet."""
+        """Add an empty set of unconnected points."""
         item = Dots(self._canvas.update)
         self._canvas.traces.append(item)
         self.draw_with(pen, item)
@@ -233,7 +233,7 @@ class QuietPlot(HandledPlot):
         return item
 
     def draw_with(self, pen: LinePen, *items: Any) -> None:
-        """Draw curves or lines with a pen, in every theme."""
+        """Set the pen of curves or lines for every theme."""
         for item in items:
             self._pens[item] = pen
             item.setPen(pen.of(self.theme))
@@ -246,14 +246,14 @@ class QuietPlot(HandledPlot):
         self._canvas.update()
 
     def fit(self, low: float, high: float) -> None:
-        """Show values from low to high, by steps that keep still; nothing new when they are NaN."""
+        """Set the vertical range to low..high in stable steps; unchanged when they are NaN."""
         if math.isfinite(low) and math.isfinite(high):
             self.empty("")
         if self.steady.update(low, high) and self.steady.range is not None:
             self.show_range("y", *self.steady.range)
 
     def show_marks(self, **parts: Any) -> None:
-        """Show names, limits, moments or spots (see ``Marks``); the others stay."""
+        """Show names, limits, moments or spots (see ``Marks``); other marks stay."""
         marks = replace(self._marks, **parts)
         before, self._marks = self._marks, marks
         if marks == before:
@@ -272,7 +272,7 @@ class QuietPlot(HandledPlot):
         return self._marks
 
     def start_afresh(self) -> None:
-        """Reset range, room and marks: another test is drawn next."""
+        """Reset range, room and marks before another test is drawn."""
         self.steady.forget()
         self._room.start_afresh(self)
         self.cursors.clear()
@@ -294,7 +294,7 @@ class QuietPlot(HandledPlot):
             paint_moments(painter, frame, marks.moments, self.theme)
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the marks before the curves."""
+        """Paint the marks in front of the curves."""
         if self.instead:
             return
         frame, marks = self._frame(), self._marks
@@ -324,11 +324,11 @@ class QuietPlot(HandledPlot):
         return self._placed
 
     def give_room(self) -> None:
-        """Set the room for moments above the curves, and for names beside them."""
+        """Set the margins for moments above the curves and names beside them."""
         self.getPlotItem().layout.setContentsMargins(0, self._top, self._room.width, 0)
 
     def guide(self, at: float, *, horizontal: bool) -> pg.InfiniteLine:
-        """Add a faint line where the grid has none."""
+        """Add a faint line at a position without grid line."""
         line = pg.InfiniteLine(at, angle=0 if horizontal else 90)
         self.draw_with(LinePen("grid"), line)
         line.setZValue(-10)
@@ -347,11 +347,11 @@ class QuietPlot(HandledPlot):
 
 
 Pointed = Callable[[float | None], None]
-"""Called with the place of the cursor on the x axis; None takes the cursor away."""
+"""Called with the position of the cursor on the x axis; None: the cursor is removed."""
 
 
 class CursorPlot(QuietPlot):
-    """A plot with a cursor that a click puts and Esc removes."""
+    """A plot with a cursor that a click places and Esc removes."""
 
     def __init__(
         self,
@@ -390,14 +390,14 @@ class CursorPlot(QuietPlot):
         return grouped(round(at))
 
     def drawForeground(self, painter: QPainter, rect: QRectF) -> None:
-        """Paint the marks before the curves, and the cursor."""
+        """Paint the marks in front of the curves, and the cursor."""
         super().drawForeground(painter, rect)
         if self.cursor_line.isVisible() and not self.instead:
             at = self.cursor_line.value()
             paint_cursor(painter, self._frame(), at, self.cursor_text(at), self.theme)
 
     def show_cursor(self, at: float | None) -> None:
-        """Put the cursor at a value of x, or remove it."""
+        """Place the cursor at a value of x, or remove it."""
         self.cursor_line.setVisible(at is not None)
         if at is not None:
             self.cursor_line.setValue(at)

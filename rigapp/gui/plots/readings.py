@@ -1,4 +1,4 @@
-"""Two cursors on a plot: their places, the values of each curve there, and the difference."""
+"""Two cursors on a plot: positions, values of each curve, and differences."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from rigapp.presentation.numbers import UNKNOWN, true_minus
 from rigapp.presentation.translation import tr
 
 MOST_CURVES = 4
-"""Curves that are read at the cursors: a longer table would cover the plot."""
+"""Maximum number of curves read at the cursors: a longer table would cover the plot."""
 SMALL_STEP, LARGE_STEP = 1.0 / 200.0, 1.0 / 20.0
-"""By which a key moves a cursor, shares of the visible range."""
+"""Steps of a cursor moved by keys, shares of the visible range."""
 FIRST_AT, SECOND_AT = 1.0 / 3.0, 2.0 / 3.0
-"""First places of the cursors, shares of the visible range."""
+"""Initial positions of the cursors, shares of the visible range."""
 
 
 class PlottedCurve(Protocol):
@@ -51,9 +51,9 @@ NamedCurve = tuple[str, PlottedCurve]
 def named_curves(
     drawn: Iterable[tuple[PlottedCurve, LinePen | None]], names: Sequence[CurveName]
 ) -> Iterator[NamedCurve]:
-    """Yield the curves that are drawn, each with its name, or its number.
+    """Yield the drawn curves with their names or numbers.
 
-    A name belongs to the curve of its pen that ends nearest to it.
+    A name belongs to the curve with the same pen whose last value is nearest.
     """
     for number, (trace, pen) in enumerate(drawn, 1):
         if not len(trace.x):
@@ -66,7 +66,7 @@ def named_curves(
 
 
 def value_at(curve: PlottedCurve, at: float) -> float:
-    """Return the value of a curve at the point nearest to a place; NaN beyond its ends."""
+    """Return the value of a curve at the point nearest to ``at``; NaN beyond its ends."""
     known = np.flatnonzero(np.isfinite(curve.x) & np.isfinite(curve.y))
     if not known.size or not curve.x[known].min() <= at <= curve.x[known].max():
         return math.nan
@@ -75,13 +75,13 @@ def value_at(curve: PlottedCurve, at: float) -> float:
 
 @dataclass(slots=True)
 class CursorPair:
-    """Up to two places on the x axis; chosen: the one that keys move."""
+    """Up to two cursors on the x axis; chosen: the one moved by keys."""
 
     places: list[float] = field(default_factory=list)
     chosen: int = 0
 
     def put(self, at: float) -> None:
-        """Put the first cursor, then the second; after that the nearer one moves."""
+        """Place the first cursor, then the second; later calls move the nearer one."""
         if len(self.places) < 2:
             self.places.append(at)
             self.chosen = len(self.places) - 1
@@ -90,34 +90,34 @@ class CursorPair:
         self.places[self.chosen] = at
 
     def show(self, low: float, high: float) -> None:
-        """Put both where they are visible."""
+        """Place both cursors within the visible range."""
         self.places = [low + share * (high - low) for share in (FIRST_AT, SECOND_AT)]
         self.chosen = 1
 
     def choose(self, number: int, low: float, high: float) -> None:
-        """Choose cursor 0 or 1; put both if there are none."""
+        """Select cursor 0 or 1; place both if there are none."""
         if len(self.places) < 2:
             self.show(low, high)
         self.chosen = number
 
     def move(self, by: float) -> None:
-        """Move the chosen one."""
+        """Move the selected cursor."""
         if self.places:
             self.places[self.chosen] += by
 
     def clear(self) -> None:
-        """Remove both."""
+        """Remove both cursors."""
         self.places, self.chosen = [], 0
 
 
 def readout(pair: CursorPair, across: str, curves: Iterable[NamedCurve]) -> list[list[str]]:
-    """Return a table: place and curves, each at both cursors, and the difference.
+    """Return a table: x and each curve at both cursors, and the difference.
 
-    across: what the places are; curves: in the order in which they are drawn, the last one on top.
+    across: the quantity of x. curves: in the order of drawing, the last one on top.
     """
     rows = [["", *(str(number + 1) for number in range(len(pair.places)))]]
     read = [(across, list(pair.places))]
-    top = dict(curves)  # of curves with one name the last one, on top
+    top = dict(curves)  # of curves with the same name, the last one, on top
     for name, curve in list(reversed(top.items()))[:MOST_CURVES]:
         read.append((name, [value_at(curve, at) for at in pair.places]))
     for name, values in read:

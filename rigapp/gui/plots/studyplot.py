@@ -1,4 +1,4 @@
-"""The points of a study: one of its results against one of the parameters that were varied."""
+"""Scatter plot of a study: one result against one varied parameter."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ from rigapp.viewer.ranges import SteadyRange
 
 NOTHING: Final[Text] = "Choose a study: its points are drawn here."
 LEAST_LETTERS = 16
-"""Of a choice in a narrow window."""
+"""Minimum number of characters of a choice in a narrow window."""
 MOST_NAMES = 6
-"""Texts at an axis; more would overlap."""
+"""Maximum number of texts at an axis; more would overlap."""
 ROOM = 0.03
-"""Of the width beside the first and the last point."""
+"""Margin beside the first and the last point, share of the width."""
 
 
 def with_unit(words: str, unit: str) -> str:
-    """Return words with their unit in brackets."""
+    """Return a text with its unit in brackets."""
     unit = unit_text(unit)
     return f"{words} ({unit})" if unit else words
 
@@ -47,7 +47,7 @@ def result_title(result: StudyColumn) -> str:
 
 
 def parameter_title(parameter: StudyColumn, study: StudyResults) -> str:
-    """Return a parameter in words with its unit; its whole key where two of a study end alike."""
+    """Return a parameter's name with its unit; its complete key where names would be equal."""
     endings = [column.name.rpartition(".")[2] for column in study.parameters]
     ending = parameter.name.rpartition(".")[2]
     words = parameter.name if endings.count(ending) > 1 else tr(key_name(ending))
@@ -77,12 +77,12 @@ class StudyPlot(PlotPanel):
 
     @property
     def column(self) -> StudyColumn | None:
-        """Return the result that is drawn."""
+        """Return the drawn result."""
         index = self.result.currentIndex()
         return None if self._study is None or index < 0 else self._study.results[index]
 
     def show_study(self, study: StudyResults | None) -> None:
-        """List parameters and results of a study; the choice stays where it has that, too."""
+        """List parameters and results of a study; a selection that still exists stays."""
         self._study = study
         results: list[tuple[str, str]] = []
         parameters: list[tuple[str, str]] = []
@@ -104,7 +104,7 @@ class StudyPlot(PlotPanel):
         self._draw()
 
     def _choose_strongest(self) -> None:
-        """Draw against what the result depends on most, where that is known."""
+        """Select the parameter with the strongest influence on the result, where known."""
         known = (self._study.sensitivities or {}) if self._study is not None else {}
         if self.column is not None and self.column.name in known:
             self.parameter.blockSignals(True)
@@ -143,7 +143,7 @@ class StudyPlot(PlotPanel):
 
 
 def _names(texts: Sequence[str]) -> list[str]:
-    """Return the texts of an axis, of paths the file names; only some where there are many."""
+    """Return the texts of an axis, for paths the file names; only some where there are many."""
     apart = math.ceil(len(texts) / MOST_NAMES)
     return [PurePath(text).name if index % apart == 0 else "" for index, text in enumerate(texts)]
 

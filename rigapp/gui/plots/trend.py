@@ -1,4 +1,4 @@
-"""The whole life of a joint: maximum, RMS, minimum against cycle, with the prediction."""
+"""Trends over a test: maximum, RMS, minimum against cycle, with the prediction."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ from rigapp.viewer.ranges import SteadyRange
 from rigapp.viewer.series import LiveData, SeriesTable
 
 BUCKETS = 1200
-"""Points of a line across, at most: about one for each pixel of a plot on a wide screen."""
+"""Maximum number of points of a line: about one for each pixel of a plot on a wide screen."""
 FLAGGED = LinePen("muted")
-"""The pen of the value of a flagged revolution, which does not range the axis."""
+"""Pen of values of flagged revolutions, which do not range the axis."""
 BAND_BUCKETS = 240
-"""Of a band: its edges change slowly, and each point is a corner to fill."""
+"""Maximum number of points of a band, whose edges change slowly and are expensive to fill."""
 
 
 class TrendPlot(CursorPlot):
@@ -52,7 +52,7 @@ class TrendPlot(CursorPlot):
         self.label("bottom", "Cycle")
 
     def own_key(self, event: QKeyEvent) -> bool:
-        """Move by the arrows, zoom by plus and minus; Esc takes the cursor away."""
+        """Move by the arrow keys, zoom by plus and minus, remove the cursor by Esc."""
         low, high = self.viewRange()[0]
         span = high - low
         moves = {
@@ -72,7 +72,7 @@ class TrendPlot(CursorPlot):
 
 @dataclass(slots=True)
 class _Curve:
-    """A line on the plot: its quantity, its curve, and the band of its uncertainty."""
+    """A line on the plot: quantity, curve, and uncertainty band."""
 
     line: TrendLine
     predicted: bool
@@ -81,9 +81,9 @@ class _Curve:
 
 
 class TrendPanel(PlotPanel):
-    """Draw one quantity over the whole test, the last cycles, or any range chosen by hand.
+    """Draw one quantity over the whole test, the last cycles, or a manually selected range.
 
-    Panels of one ``view`` move together; the one that ``leads`` has the buttons for it.
+    Panels with a common ``view`` move together; the panel that ``leads`` has its buttons.
     """
 
     takes = Takes.HISTORY
@@ -142,11 +142,11 @@ class TrendPanel(PlotPanel):
 
     @property
     def quantity(self) -> TrendQuantity:
-        """Return what is shown."""
+        """Return the shown quantity."""
         return self._quantities[self._name]
 
     def show_news(self, news: News) -> None:
-        """Draw if rows, quantity or view have changed since the last time."""
+        """Draw if rows, quantity or view have changed since the last call."""
         data = news.data
         first = self._data is None
         if self.take_data(data):
@@ -232,7 +232,7 @@ class TrendPanel(PlotPanel):
         return tr("No value of {} yet; it is computed by the model.", title)
 
     def _offer(self, table: ChannelTable) -> None:
-        """List the quantities of a table; the choice stays where it is still there."""
+        """List the quantities of a table; a selection that still exists stays."""
         self._channels, self._quantities = table, trend_quantities(table)
         chosen = self._name if self._name in self._quantities else SIZE
         self.choice.blockSignals(True)
@@ -257,7 +257,7 @@ class TrendPanel(PlotPanel):
         return table.at(column, index)
 
     def _written(self, value: float, table: SeriesTable, line: TrendLine) -> str:
-        """Return a value with its unit, and its uncertainty or its age where one is known."""
+        """Return a value with its unit, and its uncertainty or age where known."""
         doubt = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
         if np.isfinite(doubt):
             return true_minus(with_uncertainty(value, doubt, self.quantity.unit))
@@ -275,7 +275,7 @@ class TrendPanel(PlotPanel):
         self.view.move(*self.plot.viewRange()[0])
 
     def _view_changed(self) -> None:
-        """Follow the view that the panels of a page share."""
+        """Update to the common view of the panels of a page."""
         for name, control in self.modes.items():
             control.setChecked(name == self.view.mode)
         self.plot.show_cursor(self.view.cursor)
@@ -299,7 +299,7 @@ class TrendPanel(PlotPanel):
         self._curves = []
         for line, predicted in lines:
             pen = self._pen(line, predicted=predicted)
-            # Measured lines of a quantity that is predicted, too, have no separate uncertainty.
+            # Measured lines of a quantity that is also predicted have no separate uncertainty.
             shaded = line.doubt and (predicted or not self.quantity.predicted)
             band = self.plot.shade(pen) if shaded else None
             self._curves.append(_Curve(line, predicted, self.plot.curve(pen), band))

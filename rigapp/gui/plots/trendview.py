@@ -1,4 +1,4 @@
-"""The shared view of the trends of a page: the visible cycles, and the cursor."""
+"""Common view of the trends of a page: visible cycles and cursor."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from rigapp.viewer.ranges import nice_step
 Floats = NDArray[np.float64]
 
 FOLLOWED = 1000
-"""Cycles of the view of the last ones: a quarter of an hour at 60 rpm."""
+"""Number of cycles in the view of the last cycles: a quarter of an hour at 60 rpm."""
 STEPS = 10
-"""Of the axis: it moves so often while it is filled, and not at every cycle."""
+"""Number of moves of the axis while the view fills, instead of one at every cycle."""
 WHOLE, LAST, FREE = "whole", "last", "free"
 
 
 class TrendView:
-    """The visible cycles of the trends of a page; ``changed`` are called at every move."""
+    """Visible cycles of the trends of a page; ``changed``: functions called at every move."""
 
     def __init__(self) -> None:
         self.mode = WHOLE
@@ -36,22 +36,22 @@ class TrendView:
         self._notify()
 
     def move(self, low: float, high: float) -> None:
-        """Show cycles chosen by hand."""
+        """Show a manually selected range of cycles."""
         self.mode, self._free = FREE, (low, high)
         self._notify()
 
     def point_at(self, cycle: float | None) -> None:
-        """Put the cursor at a cycle; None takes it away."""
+        """Place the cursor at a cycle; None removes it."""
         self.cursor = None if cycle is None else float(round(cycle))
         self._notify()
 
     def start_afresh(self) -> None:
-        """Show the whole of another test, without a cursor."""
+        """Reset the view for another test: all cycles, no cursor."""
         self.mode, self.cursor = WHOLE, None
         self._notify()
 
     def range_of(self, known: Floats | RowNumbers) -> tuple[float, float] | None:
-        """Return the cycles to show of the known ones, None where nothing is to be shown yet."""
+        """Return the range of cycles to show, None where there are none yet."""
         if self.mode == FREE:
             return self._free
         if len(known) == 0:

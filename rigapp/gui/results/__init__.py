@@ -1,1 +1,1 @@
-"""Recorded tests: a folder read by another process, the result of a test, and its documents."""
+"""Recorded tests: index of a folder read by another process, results and documents of a test."""

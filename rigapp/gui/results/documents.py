@@ -1,4 +1,4 @@
-"""Reports and tables of a test, written by other processes; what is written can be opened."""
+"""Reports and tables of a test, written by other processes, and opened."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.process.children import Child, module_command
 
 TIMEOUT_MS = 300_000
-"""A report that takes longer has hung: that of 10^7 revolutions takes about a minute."""
+"""Time limit of a report: that of 10^7 revolutions takes about a minute."""
 
 Say = Callable[[str, bool], None]
 Launch = Callable[[Sequence[str]], None]
@@ -25,14 +25,14 @@ Launch = Callable[[Sequence[str]], None]
 
 @dataclass(frozen=True, slots=True)
 class DocumentKind:
-    """A kind of document: the end of its name, its title, and the command that writes it."""
+    """A kind of document: suffix of its name, title, and the command that writes it."""
 
     ending: str
     title: Text
     verb: str
 
     def of(self, test: Path) -> Path:
-        """Return the path of the document of a test: beside it."""
+        """Return the path of the document, in the folder of the test."""
         return test.with_suffix(self.ending)
 
 
@@ -48,18 +48,18 @@ KINDS = (
 def launch_process(arguments: Sequence[str], folder: Path | None = None) -> None:
     """Start another rigapp, which continues to run when this window closes.
 
-    folder: its working folder, by default this window's.
+    folder: working folder of the process, by default this window's.
     """
     Child("rigapp", *arguments, folder=folder).leave()
 
 
 def open_document(path: Path) -> bool:
-    """Show a document with the desktop's program for it; return whether there is one."""
+    """Open a document with the desktop's program for it; return whether there is one."""
     return QDesktopServices.openUrl(QUrl.fromLocalFile(str(path)))
 
 
 class DocumentPanel(QWidget):
-    """A line for each kind of document: write it, open it."""
+    """A line for each kind of document, to write and open it."""
 
     def __init__(self, name: str, say: Say, show: Callable[[Path], bool] = open_document) -> None:
         super().__init__()
@@ -96,7 +96,7 @@ class DocumentPanel(QWidget):
         self.show_test(None)
 
     def show_test(self, test: Path | None) -> None:
-        """Offer the documents of a test; None: there is none that can be read."""
+        """Enable the documents of a test; None: no readable test."""
         self._test = test
         for kind in KINDS:
             word, target = kind.ending[1:], kind.of(test) if test is not None else None

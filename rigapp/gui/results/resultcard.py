@@ -1,4 +1,4 @@
-"""A card with how a test ended, its results, and whether these can be trusted."""
+"""A card with the outcome of a test, its results, and their validity."""
 
 from __future__ import annotations
 
@@ -37,18 +37,18 @@ SHAPES = {
     HowEnded.RUNNING: Icon.START,
     HowEnded.NOT_READABLE: Icon.UNREADABLE,
 }
-"""The shape of each outcome, which is told apart without colour."""
+"""Shape of each outcome, distinguishable without colour."""
 
 FAILED = frozenset({HowEnded.TRIPPED, HowEnded.FAULT})
 MOST_TRUST = 6
 SHAPE = QSize(6 * STEP, 6 * STEP)
 NUMBER_WIDTH = 17 * STEP
-"""Of a number with its words, at least."""
+"""Minimum width of a number with its texts."""
 SMALL = QSize(2 * STEP, 2 * STEP)
 
 
 def colour_of(outcome: HowEnded, theme: Theme) -> str:
-    """Return the colour of an outcome: ink, unless something went wrong."""
+    """Return the colour of an outcome: ink, except for failures."""
     if outcome in FAILED:
         return theme.critical
     return theme.warning_text if outcome is HowEnded.INTERRUPTED else theme.text
@@ -101,7 +101,7 @@ class TrustRow(QWidget):
 
 
 class ResultCard(QFrame):
-    """Show one result; ``across``: numbers side by side."""
+    """Show one result; across: number of columns of figures."""
 
     def __init__(self, name: str, theme: Theme, across: int) -> None:
         super().__init__()
@@ -139,7 +139,7 @@ class ResultCard(QFrame):
         column(head, self._body, on=self, margins=(MARGIN, MARGIN, MARGIN, GAP), spacing=MARGIN)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self.show_result(self.result, self.reason.text())
 

@@ -1,4 +1,4 @@
-"""The tests of a folder, read in their own process: the screen never waits for a file."""
+"""Index of the tests of a folder, read in a separate process so that the window does not wait."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from rigapp.viewer.tasks import TaskWorker
 log = logging.getLogger(__name__)
 
 WAITING = 64
-"""Results that wait to be shown; then the reading process waits."""
+"""Maximum number of results waiting to be shown; the reading process then pauses."""
 TAKEN = 32
-"""Results taken at once: putting them into a table takes a few milliseconds."""
+"""Number of results taken at once: inserting them into a table takes a few milliseconds."""
 LOOK_S = 0.2
-"""How often a full queue checks whether its results are still wanted."""
+"""Period in which a full queue checks whether its results are still wanted."""
 
 Stamp = tuple[float, int]
 Done = Callable[[TestResult], None]
 
 
 class ResultReader:
-    """Read results of paths in their order; they wait until they are taken."""
+    """Read the results of paths in order; they are queued until taken."""
 
     def __init__(self, paths: Sequence[Path], *, closely: bool = False) -> None:
         options = ["--closely"] if closely else []
@@ -45,18 +45,18 @@ class ResultReader:
 
     @property
     def done(self) -> bool:
-        """Tell whether all results were taken, or no more will come."""
+        """Return whether all results were taken, or no more will follow."""
         return not self._thread.is_alive() and self._results.empty()
 
     def take(self) -> list[TestResult]:
-        """Return what is ready, no more than can be shown at once."""
+        """Return the available results, at most ``TAKEN``."""
         results: list[TestResult] = []
         while len(results) < TAKEN and not self._results.empty():
             results.append(self._results.get_nowait())
         return results
 
     def close(self) -> None:
-        """End the process and its thread; results not taken are dropped."""
+        """End the process and its thread; queued results are dropped."""
         self._closed.set()
         self._process.kill()
         self._thread.join(timeout=2.0)
@@ -86,7 +86,7 @@ class ResultReader:
 class ResultShelf:
     """The tests of a folder, newest first; a file is read again only when it has changed.
 
-    ``version`` grows with every change. What shows the tests calls ``pump`` regularly.
+    ``version`` increases with every change. Widgets that show the tests call ``pump`` regularly.
     """
 
     def __init__(self, folder: Path, worker: TaskWorker) -> None:
@@ -109,35 +109,35 @@ class ResultShelf:
 
     @property
     def reading(self) -> bool:
-        """Tell whether more is to come."""
+        """Return whether more results are pending."""
         return self._looking or self._reader is not None or bool(self._documents)
 
     def result(self, path: str) -> TestResult | None:
-        """Return what is known of a file, None before it was read."""
+        """Return the result of a file, None before it was read."""
         return self._known.get(path)
 
     @property
     def unread(self) -> list[str]:
-        """Return the files that are not read yet, or have changed since, newest first."""
+        """Return the files that are unread or have changed since, newest first."""
         return [path for path, stamp in self._stamps.items() if self._read.get(path) != stamp]
 
     def modified(self, path: str) -> float:
-        """Return when a file was changed last."""
+        """Return the time of a file's last change."""
         return self._stamps[path][0]
 
     def look(self) -> None:
-        """List the folder on the worker, then read what is new."""
+        """List the folder on the worker, then read new and changed files."""
         if not self._looking:
             self._looking = self._worker.submit(
                 lambda: _stamps(self.folder), self._listed, self._failed
             )
 
     def ask(self, path: Path, done: Done) -> None:
-        """Read one file at once with the uncertainty of its force; the answer comes from pump."""
+        """Read one file immediately with its force uncertainty; ``pump`` delivers the result."""
         self._documents.append((ResultReader([path], closely=True), done))
 
     def pump(self) -> None:
-        """Collect what has been read."""
+        """Collect the results that have been read."""
         for reader, done in list(self._documents):
             for result in reader.take():
                 done(result)
@@ -173,7 +173,7 @@ class ResultShelf:
             self._read_on()
 
     def _read_on(self, why: str = "") -> None:
-        """Read what is not read yet, unless the last reader returned nothing."""
+        """Read the unread files, unless the last reader returned nothing."""
         left = self.unread
         if left and self._received:
             self._reader, self._received = ResultReader([Path(path) for path in left]), 0

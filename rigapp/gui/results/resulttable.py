@@ -1,4 +1,4 @@
-"""The list of recorded tests: small lines of wear, how each ended, its main numbers."""
+"""Table of recorded tests: sparkline of the wear, outcome, main figures."""
 
 from __future__ import annotations
 
@@ -42,11 +42,11 @@ from rigapp.schema.results import TestResult
 
 Index = QModelIndex | QPersistentModelIndex
 Row = tuple[str, TestResult | None]
-"""A file, and what is known of it: None before it was read."""
+"""A file and its result, None before it was read."""
 
 ROW_HEIGHT = 6 * STEP
 TEST_WIDTH = 33 * STEP
-"""Of a test, at least: its specimen and the name of its file have room."""
+"""Minimum width of a test, with room for its specimen and file name."""
 EXTRA = 4
 READING = "…"
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
@@ -66,7 +66,7 @@ def _depth(result: TestResult) -> str:
 class ResultColumn:
     """A column: heading, width (0: the rest), text of a cell, sorting key.
 
-    rank: the highest is left out first where there is no room; a short list has no extra ones.
+    rank: the highest is hidden first where there is no room; a short list has no extra columns.
     """
 
     title: Text
@@ -123,7 +123,7 @@ TITLES = [column.title for column in COLUMNS]
 
 
 def matches(row: Row, text: str, outcome: str | None) -> bool:
-    """Tell whether a file has every word of a text in its facts, and the outcome."""
+    """Return whether a file matches every word of a text, and the outcome."""
     path, result = row
     if result is None:
         known = Path(path).name
@@ -136,7 +136,7 @@ def matches(row: Row, text: str, outcome: str | None) -> bool:
 
 
 class ResultModel(QAbstractTableModel):
-    """The rows that are shown, in their order."""
+    """Model of the shown rows, in order."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -182,7 +182,7 @@ class ResultModel(QAbstractTableModel):
         return None
 
     def show_rows(self, rows: list[Row]) -> bool:
-        """Show rows; return whether they are others than before, or in another order."""
+        """Show rows; return whether rows or order have changed."""
         if [path for path, _ in rows] == [path for path, _ in self.rows]:
             changed = [
                 index
@@ -201,7 +201,7 @@ class ResultModel(QAbstractTableModel):
 
 
 class ResultDelegate(QStyledItemDelegate):
-    """Paint the line of the wear, test over specimen, and the shape of how it ended."""
+    """Paint the sparkline of the wear, test and specimen, and the shape of the outcome."""
 
     def __init__(self, theme: Theme, view: QTableView) -> None:
         super().__init__(view)
@@ -285,7 +285,7 @@ class ResultDelegate(QStyledItemDelegate):
 class ResultTable(QTableView):
     """Show the tests of a shelf: filtered, sorted, each row as soon as it is read.
 
-    most: rows that are shown at most, 0 for all.
+    most: maximum number of rows, 0 for all.
     """
 
     chosen_changed = Signal()
@@ -320,7 +320,7 @@ class ResultTable(QTableView):
         self.doubleClicked.connect(lambda index: self.opened.emit(self.rows.rows[index.row()][0]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide columns for which there is no room: the card of a chosen test has them all."""
+        """Hide columns without room; the card of a selected test shows them all."""
         super().resizeEvent(event)
         header = self.horizontalHeader()
         left = self.viewport().width() - TEST_WIDTH
@@ -336,17 +336,17 @@ class ResultTable(QTableView):
                 self.setColumnHidden(index, hidden)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._painter.theme = theme
         self.viewport().update()
 
     def filter(self, text: str, outcome: str | None) -> None:
-        """Show only what has every word of a text, and ended so."""
+        """Show only tests with every word of a text and this outcome."""
         self._wanted = text, outcome
         self.refresh()
 
     def sort_by(self, column: int) -> None:
-        """Sort by a column, the other way round at the second click, newest first at the third."""
+        """Sort by a column, reversed at the second click, newest first at the third."""
         header = self.horizontalHeader()
         if self._sorted is None or self._sorted[0] != column:
             self._sorted = column, DESCENDING
@@ -358,7 +358,7 @@ class ResultTable(QTableView):
         self.refresh()
 
     def refresh(self) -> None:
-        """Show the present rows of the shelf; the choice stays."""
+        """Show the present rows of the shelf; the selection stays."""
         rows = [(path, self._shelf.result(path)) for path in self._shelf.paths]
         rows = [row for row in rows if matches(row, *self._wanted)]
         if self._sorted is not None:
@@ -368,7 +368,7 @@ class ResultTable(QTableView):
             self.choose(kept)
 
     def _in_order(self, rows: list[Row], column: int, order: Qt.SortOrder) -> list[Row]:
-        """Return rows sorted, what is not known last."""
+        """Return rows sorted, unknown values last."""
         key = COLUMNS[column].key
         known = [row for row in rows if row[1] is not None and key(row[1]) == key(row[1])]
         known_paths = {path for path, _ in known}
@@ -376,12 +376,12 @@ class ResultTable(QTableView):
         return known + [row for row in rows if row[0] not in known_paths]
 
     def chosen_paths(self) -> list[str]:
-        """Return the chosen files in the order in which they are shown."""
+        """Return the selected files in the order shown."""
         places = sorted({index.row() for index in self.selectionModel().selectedRows()})
         return [self.rows.rows[at][0] for at in places]
 
     def choose(self, paths: set[str]) -> None:
-        """Choose files."""
+        """Select files."""
         self.clearSelection()
         model, flag = self.selectionModel(), self.selectionModel().SelectionFlag
         for index, (path, _) in enumerate(self.rows.rows):
@@ -389,7 +389,7 @@ class ResultTable(QTableView):
                 model.select(self.rows.index(index, 0), flag.Select | flag.Rows)
 
     def keyPressEvent(self, event: Any) -> None:
-        """Enter opens the chosen test."""
+        """Open the selected test by Enter."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.chosen_paths():
             self.opened.emit(self.chosen_paths()[0])
             return

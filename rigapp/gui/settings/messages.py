@@ -34,14 +34,14 @@ WORDS: Final[dict[str, Text]] = {
     "disk": "full disk",
     "daily": "daily summary",
 }
-"""Occasions of messages, in the order of the choices."""
+"""Topics of messages, in the order of the choices."""
 NOBODY: Final[Text] = "Nobody is notified. Add a recipient: a URL as in mailtos:// or json://."
 COUNTS: Final[Text] = "A new recipient takes effect when the engine is started again."
 TABLE_HEIGHT = 13 * STEP
 
 
 class MessageCard(QWidget):
-    """List the ways, test them, add and remove those of the user's file."""
+    """List and test the notification channels, add and remove those of the user's file."""
 
     def __init__(
         self, worker: TaskWorker, rig: Path | None, say: Callable[[str, bool], None]
@@ -84,12 +84,12 @@ class MessageCard(QWidget):
         self._enable()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Read the ways again: they may have been edited."""
+        """Read the channels again, since they may have been edited."""
         super().showEvent(event)
         self.look()
 
     def look(self) -> None:
-        """Read the ways on the worker."""
+        """Read the channels on the worker."""
         rig = self._rig
         self._worker.submit(lambda: _read(rig), self._list, self._fail)
 

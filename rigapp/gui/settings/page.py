@@ -1,4 +1,4 @@
-"""One page of settings: look, operator, folder, messages, live page, training, keys."""
+"""Page of settings: appearance, operator, folder, messages, live page, training, keys."""
 
 from __future__ import annotations
 
@@ -40,13 +40,14 @@ from rigapp.service.pins import operators_file, pins_in, set_pin
 from rigapp.viewer.news import News, Takes
 
 ADDRESS: Final = "127.0.0.1:8750"
-"""Of this computer alone; others need token, certificate and key, by ``rigapp page``."""
+"""Address reachable from this computer only; others need token, certificate and key, by
+``rigapp page``."""
 NOT_SERVED: Final[Text] = "Shows this rig in browsers of this computer, while the window is open."
 END_MS = 3000
 
 
 class LivePageCard(QWidget):
-    """Serve the live page in a process of this window, and open it in a browser."""
+    """Serve the live page in a child process of this window, and open it in a browser."""
 
     def __init__(self, choices: Preferences, rig: Path | None) -> None:
         super().__init__()
@@ -66,7 +67,7 @@ class LivePageCard(QWidget):
         self._show()
 
     def close_page(self) -> None:
-        """End the page; wait a moment for its process."""
+        """End the page and wait briefly for its process."""
         if self._process.state() is not QProcess.ProcessState.NotRunning:
             self._process.terminate()
             if not self._process.waitForFinished(END_MS):
@@ -116,7 +117,7 @@ HAVE: Final[Text] = "Have a PIN and may change limits: {}."
 
 
 class PinPart(QWidget):
-    """Show who has a PIN, and set that of the operator named in the settings."""
+    """List the operators with a PIN, and set that of the operator named in the settings."""
 
     def __init__(self, rig: Path | None, choices: Preferences) -> None:
         super().__init__()
@@ -135,7 +136,7 @@ class PinPart(QWidget):
         self._enable()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Read again who has a PIN."""
+        """Read the operators with a PIN again."""
         super().showEvent(event)
         self.look()
 
@@ -195,13 +196,13 @@ def settings_card(name: str, title: Text, *items: Any) -> QFrame:
 
 
 def show_choice(box: QComboBox, value: str) -> None:
-    """Show the item of a value without the signals of a choice."""
+    """Select the item of a value without emitting signals."""
     with QSignalBlocker(box):
         box.setCurrentIndex(max(box.findData(value), 0))
 
 
 class SettingsPage(QWidget):
-    """Show each setting, and store a change at once."""
+    """Show each setting, and store changes immediately."""
 
     takes = Takes(0)
 

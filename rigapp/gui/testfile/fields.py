@@ -1,4 +1,4 @@
-"""The fields of a test file as a form needs them: path, unit, range, default, choices."""
+"""Fields of a test file for a form: path, unit, range, default, choices."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rigapp.schema.channels import BASE
 from rigapp.viewer.levels import levels_of
 
 HIDDEN = ("schema", "model.schema", "limits.rule", "run.step", "view.")
-"""Keys that the form leaves unchanged or shows elsewhere."""
+"""Keys that the form does not change, or shows elsewhere."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class FieldSpec(Key):
 
     @property
     def kind(self) -> str:
-        """Return what is edited: int, float, str, bool, "choice" or "pair"."""
+        """Return the kind of value: int, float, str, bool, "choice" or "pair"."""
         if self.choices:
             return "choice"
         if typing.get_origin(self.value_type) is tuple:
@@ -50,7 +50,7 @@ class FieldSpec(Key):
 
     @property
     def unit(self) -> str:
-        """Return the unit that the key names, empty when none."""
+        """Return the unit in the key, empty without one."""
         return unit_text(unit_of(self.path))
 
     @property
@@ -65,7 +65,7 @@ class FieldSpec(Key):
 
     @property
     def needed(self) -> bool:
-        """Tell whether the file must have the key."""
+        """Return whether the key is required."""
         return self.default is msgspec.NODEFAULT
 
     @property
@@ -105,7 +105,7 @@ WANTED: Final[dict[str, Text]] = {
 
 
 def parse_value(field: FieldSpec, text: str) -> Any:
-    """Return the value that a text means; raise ValueError with one sentence."""
+    """Return the value of a text; raises ValueError with one sentence."""
     text = text.strip()
     try:
         if field.kind == "int":
@@ -148,7 +148,7 @@ def show_value(value: Any) -> str:
 
 
 def get_path(tree: Mapping[str, Any], path: str) -> Any:
-    """Return the value at a dotted path, None when it is not there."""
+    """Return the value at a dotted path, None when it is missing."""
     value: Any = tree
     for key in path.split("."):
         if not isinstance(value, Mapping) or key not in value:
@@ -158,7 +158,7 @@ def get_path(tree: Mapping[str, Any], path: str) -> Any:
 
 
 def set_path(tree: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a dotted path, making the tables on the way."""
+    """Set the value at a dotted path, creating missing tables."""
     *way, last = path.split(".")
     for key in way:
         tree = tree.setdefault(key, {})
@@ -166,7 +166,7 @@ def set_path(tree: dict[str, Any], path: str, value: Any) -> None:
 
 
 def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
-    """Return what differs between two trees, one line a key."""
+    """Return the differences between two trees, one line for each key."""
     lines = []
     flat_before, flat_after = dict(_flat(before, "")), dict(_flat(after, ""))
     for path in sorted({*flat_before, *flat_after}):
@@ -177,7 +177,7 @@ def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
 
 
 def differences(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
-    """Return what differs between two tests, a line a key; limits as sentences."""
+    """Return the differences between two tests, one line for each key; limits as sentences."""
     rule = "limits.rule"
     lines = [line for line in changes(before, after) if not line.startswith(rule)]
     old, new = (
@@ -199,7 +199,7 @@ def tables_in(value: Any) -> list[dict[str, Any]]:
 
 
 def in_form_words(sentence: str) -> str:
-    """Return a sentence about keys of a test file with their labels in the form instead."""
+    """Return a sentence with keys of a test file replaced by their labels in the form."""
     labels = {field.path: f"\u201c{field.label}\u201d" for field in form_fields()}
     return re.sub(
         r"\b[a-z_]+(\.\w+)+",
@@ -209,7 +209,7 @@ def in_form_words(sentence: str) -> str:
 
 
 def fields_named(sentence: str) -> list[str]:
-    """Return the paths of the fields that a sentence names, in its order."""
+    """Return the paths of the fields named in a sentence, in its order."""
     known = {field.path for field in form_fields()}
     return [key[0] for key in re.finditer(r"\b[a-z_]+(\.\w+)+", sentence) if key[0] in known]
 

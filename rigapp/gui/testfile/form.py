@@ -1,4 +1,4 @@
-"""The fields of a test file on the screen: a line each, with its unit, its range and its error."""
+"""Form of the fields of a test file: a line for each, with unit, range and error."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Editor = QLineEdit | QComboBox | QCheckBox
 
 CAPTION_WIDTH = 22 * STEP
 WIDTHS = {"int": 14 * STEP, "float": 14 * STEP, "pair": 18 * STEP}
-"""Of the fields for numbers; texts take the rest."""
+"""Widths of the fields for numbers; texts take the rest."""
 
 TITLES: Final[dict[str, Text]] = {
     "": "Test",
@@ -60,14 +60,14 @@ BESIDE = {
     for key, stop in CRITERIA.items()
     if stop.count or stop.window
 }
-"""Fields in the line of the field they belong to, with the word before them."""
+"""Fields placed in the line of another field, with the word before them."""
 
 SENTENCES = {f"limits.{name}": rule.sentence for name, rule in ALWAYS.items()}
-"""Fields whose caption is the beginning of a sentence."""
+"""Fields whose caption is the start of a sentence."""
 
 
 class FieldLine(QWidget):
-    """A caption, one field or two with their units, and below them their range or error."""
+    """A caption, one or two fields with units, and below them their range or error."""
 
     def __init__(self, field: FieldSpec, editor: Editor) -> None:
         super().__init__()
@@ -94,20 +94,20 @@ class FieldLine(QWidget):
         self.show_errors({})
 
     def join(self, field: FieldSpec, word: Text, editor: Editor) -> None:
-        """Put another field into the line."""
+        """Add another field to the line."""
         self.fields.append(field)
         label = QLabel(tr(word))
         label.setBuddy(editor)
         self._add(field, editor, label)
 
     def _add(self, field: FieldSpec, editor: Editor, before: QLabel | None = None) -> None:
-        """Add a field at the end, between the word before it and its unit."""
+        """Add a field at the end, with the word before it and its unit."""
         wide = int(isinstance(editor, QLineEdit) and field.kind not in WIDTHS)
         unit = QLabel(field.unit) if field.unit else None
         self._line.add(together(before, (editor, wide), unit), wide)
 
     def show_errors(self, errors: Mapping[str, str]) -> None:
-        """Show what is wrong with the fields of the line, or their range."""
+        """Show the errors of the fields of the line, or their range."""
         texts = [errors[field.path] for field in self.fields if field.path in errors]
         text = f"\u2717 {' '.join(texts)}" if texts else self.fields[0].allowed
         tell(self.note, "role", "error" if texts else "caption")
@@ -117,7 +117,7 @@ class FieldLine(QWidget):
 
 
 class FieldForm:
-    """Make the editors of all fields, fill and read them; show every mistake at its field."""
+    """Make, fill and read the editors of all fields; show every error at its field."""
 
     def __init__(self, changed: Callable[[], None]) -> None:
         self._changed = changed
@@ -186,7 +186,7 @@ class FieldForm:
             editor.setText("" if value is None else show_value(value))
 
     def read(self) -> tuple[dict[str, Any], dict[str, str]]:
-        """Return nested tables of what can be read, and a sentence for each field that cannot."""
+        """Return nested tables of the readable values, and a sentence for each other field."""
         tree: dict[str, Any] = {}
         errors: dict[str, str] = {}
         for field in self.fields:
@@ -217,12 +217,12 @@ class FieldForm:
         return parse_value(field, text)
 
     def is_typed(self, path: str) -> bool:
-        """Tell whether a field is filled in; what is no text field of the form counts as such."""
+        """Return whether a field is filled in; True for anything but a text field of the form."""
         editor = self.editors.get(path)
         return not isinstance(editor, QLineEdit) or bool(editor.text().strip())
 
     def edit(self, path: str, text: str) -> None:
-        """Put a text into a field."""
+        """Set the text of a field."""
         editor = self.editors[path]
         assert isinstance(editor, QLineEdit)
         editor.setText(text)

@@ -39,7 +39,7 @@ ORDER = (CheckVerdict.BLOCKS, CheckVerdict.ATTENTION, CheckVerdict.GOOD)
 
 
 class CheckRow(QFrame):
-    """One check: its mark, what it is about, what was found and what to do."""
+    """One check: mark, subject, finding and remedy."""
 
     def __init__(self, number: int) -> None:
         super().__init__()
@@ -102,7 +102,7 @@ class PreflightPanel(QFrame):
 
     @property
     def words(self) -> str:
-        """Return how many checks are of which sort."""
+        """Return the number of checks of each kind."""
         count = Counter(check.verdict for check in self.shown)
         numbers = (
             count[kind] for kind in (CheckVerdict.GOOD, CheckVerdict.ATTENTION, CheckVerdict.BLOCKS)
@@ -110,7 +110,7 @@ class PreflightPanel(QFrame):
         return tr("{} passed, {} for attention, {} block", *numbers)
 
     def show_checks(self, checks: list[Check]) -> None:
-        """Show the checks, what blocks first."""
+        """Show the checks, blocking ones first."""
         ordered = sorted(checks, key=lambda check: ORDER.index(check.verdict))
         if ordered == self.shown:
             return
@@ -125,18 +125,18 @@ class PreflightPanel(QFrame):
             line.setVisible(index < len(ordered))
 
 
-DEFAULT_RATE_HZ = 1000.0  # to estimate the disk space, until a device reports its own
+DEFAULT_RATE_HZ = 1000.0  # for the estimate of disk space until a device reports its rate
 NARROW = 136 * STEP
-"""A narrower page has no room for the checks: the sentence of a limit needs all of it."""
+"""Minimum page width for the checks beside the form; the sentence of a limit needs this width."""
 LOOK_AGAIN_S = 20.0
-"""Between two readings of the rig file, its calibration records and the disk space."""
+"""Period of reading the rig file, its calibration records and the disk space."""
 
 
 class PreparePanel(QWidget):
-    """Form and checks; disk and records are read on a worker, again and again.
+    """Form and checks; disk and records are read periodically on a worker.
 
-    The selected test is checked, the file as it was read; unsaved changes are listed by the form.
-    Where there is no room beside the form, the checks are its last step.
+    The selected test is checked as it was read from its file; the form lists unsaved changes. Where
+    there is no room beside the form, the checks are its last step.
     """
 
     takes = Takes.HISTORY
@@ -167,7 +167,7 @@ class PreparePanel(QWidget):
         self._place_checks(narrow=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the checks where there is room, once the page has its final width."""
+        """Place the checks where there is room, when the page has its final width."""
         super().resizeEvent(event)
         self._fit.start()
 
@@ -184,7 +184,7 @@ class PreparePanel(QWidget):
             self.checks.show()
 
     def parts(self) -> list[QWidget]:
-        """Return the parts that are put in a theme one by one."""
+        """Return the parts that are themed one by one."""
         return [self.checks, *self.recipe.parts()]
 
     def set_rig(self, rig: Path) -> None:
@@ -193,7 +193,7 @@ class PreparePanel(QWidget):
         self._looked_at = None
 
     def show_news(self, news: News) -> None:
-        """Check again."""
+        """Repeat the checks."""
         status = news.status
         rate = max((d.sample_rate_Hz for d in status.rig.devices), default=0.0) if status else 0.0
         self._ask_disk(rate or DEFAULT_RATE_HZ)
@@ -214,7 +214,7 @@ class PreparePanel(QWidget):
         return selected.test if selected is not None else None
 
     def _of_form(self) -> Iterator[Check]:
-        """Yield what of the form is not part of the selected test, or why none is selected."""
+        """Yield a check for unsaved changes of the form, or for a missing selected test."""
         selected = self.recipe.selected
         if selected is None:
             yield Check(

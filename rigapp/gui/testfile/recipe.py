@@ -1,7 +1,7 @@
 """Prepare a test in steps: every key of the test file with unit, range and default.
 
-It is checked at every edit, and every mistake is shown at its field. The file on the disk is the
-selected test (see ``selected_test``); what is typed is part of it once it is saved.
+The form is checked at every edit, and every error is shown at its field. The file on the disk is
+the selected test (see ``selected_test``); edits are part of it only when saved.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ from rigapp.texts import sentence_of_error
 
 NO_FILE: Final[Text] = "New test, not saved yet"
 LEAST_HEIGHT = 24 * STEP
-"""Of a step, which scrolls: three lines of it."""
+"""Minimum height of a step, which scrolls: three lines."""
 EMPTY: Final = {"schema": 1, "title": ""}
 CHECKS: Final[Text] = "Checks"
-"""The step behind the last one, where the checks have no room beside the form."""
+"""Additional last step, where the checks have no room beside the form."""
 
 
 class RecipePanel(QWidget):
-    """Edit a test file; ``selection_changed``: another one, or a newer state, is selected."""
+    """Edit a test file; ``selection_changed``: another file or a newer state of it is selected."""
 
     selection_changed = Signal()
 
@@ -88,20 +88,20 @@ class RecipePanel(QWidget):
 
     @property
     def path(self) -> Path | None:
-        """Return the file that is edited; None for a test without a file."""
+        """Return the edited file; None for a test without a file."""
         return self.selected.path if self.selected is not None else None
 
     def unsaved(self) -> list[str]:
-        """Return the unsaved changes, a line each, unreadable values included."""
+        """Return the unsaved changes, a line for each, unreadable values included."""
         tree, errors = self._read()
         typed = {path: text for path, text in errors.items() if self.form.is_typed(path)}
         lost = differences(self._tree, _explicit(tree, self._tree))
         return [*typed.values(), *(line for line in lost if line.partition(":")[0] not in typed)]
 
     def ask_before(self, what: str, then: Callable[[], None]) -> bool:
-        """Do something that loses unsaved changes, after a question when there are any.
+        """Call ``then``, which discards unsaved changes; ask first when there are any.
 
-        Returns whether it was done at once.
+        Return whether it was called immediately.
         """
         lost = self.unsaved()
         if lost:
@@ -111,9 +111,9 @@ class RecipePanel(QWidget):
         return True
 
     def open_file(self, path: Path) -> bool:
-        """Load a test file into the form; the sentence below says when it cannot be used.
+        """Load a test file into the form; show a sentence and return False if it is unusable.
 
-        Changes that are not saved are lost; ``ask_before`` asks first.
+        Unsaved changes are lost; ``ask_before`` asks first.
         """
         try:
             selected = read_selected(path)
@@ -141,7 +141,7 @@ class RecipePanel(QWidget):
         self.selection_changed.emit()
 
     def _fill(self, tree: Any) -> None:
-        """Show a test; the caller checks it once it is complete."""
+        """Show a test; the caller checks it when it is complete."""
         self._filled = False
         try:
             self.form.fill(tree)
@@ -152,11 +152,11 @@ class RecipePanel(QWidget):
 
     @property
     def _tree(self) -> dict[str, Any]:
-        """Return the tables of the file, or those from which a new test was begun."""
+        """Return the tables of the file, or those from which a new test was started."""
         return dict(self.selected.tree) if self.selected is not None else self._begun
 
     def _read(self) -> tuple[dict[str, Any], dict[str, str]]:
-        """Return the test as nested tables, as far as it can be read, and the errors by field."""
+        """Return the readable values of the test as nested tables, and the errors by field."""
         tree, errors = self.form.read()
         tree = {"schema": self._tree.get("schema", 1), **tree}
         set_path(tree, "model.schema", get_path(self._tree, "model.schema") or 1)
@@ -175,9 +175,9 @@ class RecipePanel(QWidget):
         return tree, errors
 
     def save_view(self, view: ViewSection) -> str:
-        """Write the operator's own page into the open test file, nothing else; return its name.
+        """Write only the operator's own page into the open test file; return the file's name.
 
-        Raises UnusableInput where no file is open, or changes of it are not saved yet.
+        Raises UnusableInput where no file is open, or it has unsaved changes.
         """
         selected = self.selected
         if selected is None:
@@ -195,9 +195,9 @@ class RecipePanel(QWidget):
         return selected.path.name
 
     def save(self, path: Path) -> bool:
-        """Write the test, comments kept; False and a sentence when that is not possible.
+        """Write the test, comments kept; return False and show a sentence when that fails.
 
-        A file that another program has changed since it was opened is not overwritten.
+        A file changed by another program since it was opened is not overwritten.
         """
         self._judge()
         if self.test is None:
@@ -231,14 +231,14 @@ class RecipePanel(QWidget):
         return frozenset(field.section for field in form_fields() if field.optional)
 
     def parts(self) -> list[QWidget]:
-        """Return the parts put in a theme one by one: each card of a step, and the tools."""
+        """Return the parts themed one by one: each card of a step, and the tools."""
         cards = [*self.form.sections.values(), self.sequence, self.rules, self.unfold]
         areas = (self.pages.widget(number) for number in range(self.pages.count()))
         bars = [area.verticalScrollBar() for area in areas if isinstance(area, QScrollArea)]
         return [self.steps, self._tools, *cards, *bars]
 
     def show_step(self, index: int) -> None:
-        """Open a step; one beyond the last is the page of the checks."""
+        """Open a step; the index after the last one is the page of the checks."""
         self._now = max(0, min(index, self.pages.count() - 1))
         self.pages.setCurrentIndex(self._now)
         self._judge()
@@ -319,7 +319,7 @@ class RecipePanel(QWidget):
         return [*shown, head, inside]
 
     def _judge(self) -> None:
-        """Check the whole form; show every mistake at its field, and their number."""
+        """Check the whole form; show every error at its field, and their number."""
         if not self._filled:
             return
         tree, errors = self._read()
@@ -336,7 +336,7 @@ class RecipePanel(QWidget):
         self._show_verdict(errors, others, differences(self._tree, _explicit(tree, self._tree)))
 
     def _with_the_file_s(self, tree: dict[str, Any], errors: Iterable[str]) -> dict[str, Any]:
-        """Return a test with the file's values for unreadable ones, to check the others."""
+        """Return a test with the file's values in place of unreadable ones, to check the others."""
         complete = copy.deepcopy(tree)
         for path in errors:
             value = get_path(self._tree, path)
@@ -345,7 +345,7 @@ class RecipePanel(QWidget):
         return complete
 
     def offer_checks(self, checks: QWidget | None) -> None:
-        """Put the checks behind the last step; None takes them away again."""
+        """Add the checks after the last step; None removes them."""
         if checks is not None:
             self.pages.addWidget(checks)
         elif (last := self.pages.widget(len(STEPS))) is not None:
@@ -354,19 +354,19 @@ class RecipePanel(QWidget):
         self.show_step(self._now)
 
     def show_checks(self, words: str, blocking: int) -> None:
-        """Show a summary of the checks in the bar of steps, and how many of them block."""
+        """Show a summary of the checks in the bar of steps; blocking: number of blocking checks."""
         if (words, blocking) != self._checked:
             self._checked = (words, blocking)
             self._judge()
 
     def _place_faults(self, wrong: list[str], errors: dict[str, str]) -> list[str]:
-        """Show each fault at the first field it names; return the faults that name none."""
+        """Show each fault at the first field it names; return the faults without a field."""
         others = []
         for fault in wrong:
             named_fields = [path for path in fields_named(fault) if path in self.form.editors]
             sentence = f"{in_form_words(translate(fault)).rstrip('.')}."
             if any(path in errors for path in named_fields):
-                continue  # shown already, or a consequence of the value there
+                continue  # already shown, or a consequence of the value there
             if named_fields:
                 errors[named_fields[0]] = sentence
             elif not errors:
@@ -427,12 +427,12 @@ class RecipePanel(QWidget):
         return self.save(self.path)
 
     def _ask_new(self) -> None:
-        """Begin an empty test with the model of the open one: the mechanism is the rig's."""
+        """Start an empty test with the model of the open one, since the mechanism is the rig's."""
         model = self._tree.get("model", {})
         self.ask_before(tr("a new test"), lambda: self.begin({**EMPTY, "model": model}))
 
     def _duplicate(self) -> None:
-        """Begin a test like the one in the form, what is not saved included."""
+        """Start a copy of the test in the form, unsaved changes included."""
         self._begun = self._tree
         title = self.test.title if self.test is not None else ""
         self.form.edit("title", tr("{} (copy)", title))
@@ -444,7 +444,7 @@ class RecipePanel(QWidget):
         dialog.show()
 
     def open_wanted(self, path: Path) -> bool:
-        """Open a file, after a question where changes would be lost; return whether it is open."""
+        """Open a file, asking first where changes would be lost; return whether it is open."""
         return self.ask_before(tr("opening {}", path.name), lambda: self._open(path))
 
     def _open(self, path: Path) -> None:
@@ -470,7 +470,7 @@ def _scrolling(page: QWidget, title: Text) -> QWidget:
 
 
 def _explicit(tree: dict[str, Any], file: dict[str, Any]) -> dict[str, Any]:
-    """Return a form's tree without the defaults that the file leaves out."""
+    """Return a form's tree without defaults that the file omits."""
     kept: dict[str, Any] = {}
     defaults = {field.path: field.default for field in form_fields()}
     for path in _paths(tree, ""):

@@ -1,4 +1,4 @@
-"""The limits of a test as sentences to fill in, each with its error and its usual range below."""
+"""Limits of a test as sentences to fill in, each with its error and usual range below."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ from rigapp.viewer.news import News
 
 SENTENCE: Final[Text] = "{action} when {quantity} is {side} {value} in {revolutions} revolutions"
 ENDS: Final[Text] = "{note} ends {back} inside"
-"""The lines of a limit; the braces are its fields."""
+"""Second line of a limit, after ``SENTENCE``; the braces are fields."""
 NUMBER: Final[Text] = "Type a number in place of {}."
 WHOLE_NUMBER: Final[Text] = "Type an integer in place of {}."
 SIDES: Final[tuple[tuple[Text, str], ...]] = (("above", "above"), ("below", "below"))
@@ -63,11 +63,11 @@ NUMBER_WIDTH = 9 * STEP
 NOTE_WIDTH = 24 * STEP
 COUNT_WIDTH = 7 * STEP
 QUANTITY_LETTERS = 10
-"""Least width of the quantity; the list of quantities is as wide as it needs."""
+"""Minimum number of characters of the quantity; the list of quantities is as wide as necessary."""
 USUAL_ROWS = 1000
 USUAL_PERCENT = (5.0, 95.0)
-"""The usual range is that of nine in ten of so many newest revolutions: starts and trips are not
-usual."""
+"""Percentiles of the usual range over the newest ``USUAL_ROWS`` revolutions, which exclude starts
+and trips."""
 
 
 class LevelRow(QFrame):
@@ -128,7 +128,7 @@ class LevelRow(QFrame):
         column(first, second, on=self, margins=(0, STEP), spacing=STEP // 2)
 
     def _field(self, wide: QWidget, unit: QLabel) -> Callable[[str], SentencePart]:
-        """Return a function from the name of a field to the field with the unit behind it."""
+        """Return a function that maps the name of a field to the field and its unit."""
 
         def field_of(name: str) -> SentencePart:
             field: QWidget = getattr(self, name)
@@ -166,7 +166,7 @@ class LevelRow(QFrame):
             unit.setText(unit_of_quantity(self.quantity.currentData(), self._table))
 
     def read(self) -> tuple[LimitLevel, list[str]]:
-        """Return the level that is filled in, and what cannot be read of it; mark the fields."""
+        """Return the entered level and its errors, and mark the fields."""
         severity, action = self.action.currentData()
         wrong: list[str] = []
         self.level = replace(
@@ -196,7 +196,7 @@ class LevelRow(QFrame):
             return empty
 
     def say(self, wrong: Sequence[str], caution: str = "") -> None:
-        """Show what is wrong below the sentence, else a caution, else the usual range."""
+        """Show the errors below the sentence, else a caution, else the usual range."""
         if wrong and not any(line.property("wrong") for line in (self.revolutions, self.back)):
             tell(self.value, "wrong", True)
         tell(self.note, "role", "error" if wrong else "caution" if caution else "caption")
@@ -269,7 +269,7 @@ class LimitSentences(QGroupBox):
                 line.know(table)
 
     def judge(self, limits: LimitsSection | None) -> tuple[list[dict[str, Any]], int]:
-        """Return the rules and how many limits are wrong; show at each what is wrong.
+        """Return the rules and the number of wrong limits; show the errors of each.
 
         limits: the permanent limits; None while not known.
         """
@@ -301,7 +301,7 @@ class LimitSentences(QGroupBox):
         self.keep.setToolTip(" ".join(wrong))
 
     def show_usual(self, news: News) -> None:
-        """Show at each limit what is usual."""
+        """Show the usual range at each limit."""
         for line in self._all():
             line.show_usual(news)
 

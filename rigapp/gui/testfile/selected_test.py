@@ -1,4 +1,4 @@
-"""The selected test file: as it was read from the disk, and its text with other values.
+"""The selected test file as read from the disk, and its text with edited values.
 
 Form, checks and start use the same file; an edit leaves everything else in it unchanged.
 """
@@ -26,7 +26,7 @@ from rigapp.texts import sentence_of_error
 
 @dataclass(frozen=True, slots=True)
 class SelectedTest:
-    """A test file as read: its text, its tables, and the test; None with the problem if unusable.
+    """A test file as read: text, tables, and the test, which is None with a problem if unusable.
 
     A start runs the file on the disk, not the contents of the form.
     """
@@ -38,9 +38,9 @@ class SelectedTest:
     problem: str = ""
 
     def on_disk(self) -> list[str]:
-        """Read the file again; return what differs now, a line each.
+        """Read the file again; return the differences, a line for each.
 
-        Where it cannot be read any more, the only line is the reason.
+        Where it is no longer readable, the only line is the reason.
         """
         try:
             text = read_text(self.path)
@@ -60,11 +60,11 @@ def read_selected(path: Path, text: str | None = None) -> SelectedTest:
 
 
 def edited(text: str, tree: Mapping[str, Any], optional: frozenset[str] = frozenset()) -> str:
-    """Return ``text`` with the values of ``tree``: comments, order and untouched numbers stay.
+    """Return ``text`` with the values of ``tree``; comments, order and unchanged numbers stay.
 
     tree: nested tables, lists and plain values of the result. optional: dotted paths of tables that
     are removed when the tree lacks them; other tables keep their header when they become empty.
-    Where the layout of the text cannot be edited so, its comments are lost.
+    Where the layout of the text cannot be edited in place, its comments are lost.
     Raises tomlkit.exceptions.ParseError when the text is not TOML.
     """
     parsed = parse(text) if text.strip() else document()
@@ -116,7 +116,7 @@ def _edit(container: Any, tree: Mapping[str, Any], where: str, optional: frozens
 
 
 def _edit_tables(container: Any, key: str, rows: list[Mapping[str, Any]]) -> None:
-    """Change an array of tables row by row, so that a row keeps its comments."""
+    """Change an array of tables row by row, so that rows keep their comments."""
     old = container.get(key)
     if not isinstance(old, AoT):
         old = aot()
@@ -132,7 +132,7 @@ def _edit_tables(container: Any, key: str, rows: list[Mapping[str, Any]]) -> Non
             _edit(fresh, row, "", frozenset())
             last = old[len(old) - 1] if len(old) else container
             if last.as_string().endswith("\n\n"):
-                fresh.add(nl())  # the empty line before it is there, and one shall be after it
+                fresh.add(nl())  # an empty line after it; the one before exists
             else:
                 fresh.trivia.indent = "\n"
             old.append(fresh)

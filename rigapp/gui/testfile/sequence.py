@@ -1,4 +1,4 @@
-"""The steps of preparing a test, and the steps of the test itself, a line each."""
+"""The steps of preparing a test, and an editor of the steps of the test itself."""
 
 from __future__ import annotations
 
@@ -47,14 +47,14 @@ from rigapp.schema.criteria import CRITERIA
 
 HEIGHT = 7 * STEP
 SIGN_ROOM = 6 * STEP
-"""Of a step, in pixels: its sign, and the space around sign and words."""
+"""Width of a step's sign and the space around sign and texts, pixels."""
 NAMED_BY_OTHERS = 1
-"""The words of so many first steps are names chosen by users, which may be cut."""
+"""Number of first steps whose texts are names chosen by users, which may be cut."""
 
 
 @dataclass(frozen=True, slots=True)
 class PrepareStep:
-    """One step: its name, its sections, and its summary of a usable test in a few words."""
+    """One step: its name, its sections, and its short summary of a usable test."""
 
     title: Text
     sections: tuple[str, ...]
@@ -108,7 +108,7 @@ STEPS = (
         lambda test: tr(test.prediction.joint) if test.prediction.enabled else tr("off"),
     ),
 )
-"""The last one has, folded, every section of no other step."""
+"""The steps; the last one has all remaining sections, folded."""
 
 MODEL = len(STEPS) - 1
 
@@ -116,7 +116,7 @@ STATES: Final[dict[str, Text]] = {"done": "done", "now": "now", "later": "later"
 
 
 class StepButton(QPushButton):
-    """One step: a tick when it is right, its number, or a cross; name and a few words."""
+    """One step: a tick when it is complete, its number, or a cross; name and a short text."""
 
     def __init__(self, index: int, title: Text) -> None:
         super().__init__()
@@ -140,7 +140,7 @@ class StepButton(QPushButton):
 
     @property
     def room(self) -> tuple[int, int]:
-        """Return the widths that it needs without and with its words, in pixels."""
+        """Return the required widths without and with the short text, pixels."""
         title, words = (
             label.fontMetrics().horizontalAdvance(label.whole) for label in (self.title, self.words)
         )
@@ -152,7 +152,7 @@ class StepButton(QPushButton):
         return "  ".join(filter(None, (self.mark.text(), self.title.whole, self.words.whole)))
 
     def show_step(self, state: str, words: str) -> None:
-        """Show a state (done, now, later, wrong) and a few words."""
+        """Show a state (done, now, later, wrong) and a short text."""
         tell(self.mark, "mark", state)
         self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._index + 1)))
         self.words.show_text(words)
@@ -161,10 +161,10 @@ class StepButton(QPushButton):
 
 
 class StepBar(QFrame):
-    """The steps in a row; one of them is shown.
+    """The steps in a row; one of them is open.
 
-    Where there is no room for their words only the names are shown, and where there is none for the
-    names either, a list to choose from.
+    Where there is no room for the short texts only the names are shown, and where there is none for
+    the names, a drop-down list.
     """
 
     chosen = Signal(int)
@@ -185,12 +185,12 @@ class StepBar(QFrame):
         self.chosen.emit(index)
 
     def offer(self, count: int) -> None:
-        """Show only the first so many steps."""
+        """Show only the first ``count`` steps."""
         self._offered = count
         self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show as much of the steps as there is room for."""
+        """Show as much of the steps as fits."""
         super().resizeEvent(event)
         self._fit()
 
@@ -205,7 +205,7 @@ class StepBar(QFrame):
         self.choice.setVisible(names > share)
 
     def show_steps(self, now: int, words: Sequence[str], wrong: Sequence[int]) -> None:
-        """Show which step is open, a few words on each, and how many mistakes each has."""
+        """Show the open step, and the short text and number of errors of each step."""
         for index, (step, text, count) in enumerate(zip(self.buttons, words, wrong, strict=True)):
             step.setChecked(index == now)
             state = "wrong" if count else "now" if index == now else "done" if text else "later"
@@ -223,7 +223,7 @@ class StepBar(QFrame):
 
 
 SENTENCE: Final[Text] = "{name} {length} {kind} at {speed_rpm} rpm, then rest {rest_s} s"
-"""The line of a step; the braces are its fields."""
+"""Line of a step; the braces are its fields."""
 LENGTH_MISSING: Final[Text] = "Type how many revolutions the step has, or how many seconds."
 KINDS: Final[tuple[tuple[Text, str], ...]] = (
     ("revolutions", "revolutions"),
@@ -235,7 +235,7 @@ NAME_WIDTH, NUMBER_WIDTH = 16 * STEP, 9 * STEP
 
 
 class StepLine(QFrame):
-    """One step: its name, how long it is, how fast, and the rest after it."""
+    """One step: its name, length, speed, and the rest after it."""
 
     changed = Signal()
 
@@ -286,7 +286,7 @@ class StepLine(QFrame):
         self.rest_s.setText(show_value(step.get("rest_s")))
 
     def read(self) -> tuple[dict[str, Any], list[str]]:
-        """Return the step as in the file, and what is wrong with it; mark the fields."""
+        """Return the step as in the file, and its errors; mark the fields."""
         wrong: list[str] = []
         step = {
             key: value
@@ -328,7 +328,7 @@ class StepLine(QFrame):
         return None
 
     def show_place(self, number: int, words: str) -> None:
-        """Show the number of the step, and below it which revolutions it is."""
+        """Show the number of the step, and below it its range of revolutions."""
         self._words = words
         self.number.setText(f"{number}.")
         self.sooner.setEnabled(number > 1)
@@ -336,13 +336,13 @@ class StepLine(QFrame):
             self.say(())
 
     def say(self, wrong: Sequence[str]) -> None:
-        """Show what is wrong below the step, else which revolutions it is."""
+        """Show the errors below the step, else its range of revolutions."""
         tell(self.note, "role", "error" if wrong else "caption")
         self.note.setText(f"\u2717 {' '.join(wrong)}" if wrong else self._words)
 
 
 class SequenceCard(QGroupBox):
-    """Edit the steps of a test; without any it runs at one speed."""
+    """Edit the steps of a test; without steps it runs at one speed."""
 
     changed = Signal()
 
@@ -357,7 +357,7 @@ class SequenceCard(QGroupBox):
         filled(QVBoxLayout(self), (self.none, self._list, row(self.add, None)))
 
     def fill(self, steps: Sequence[dict[str, Any]]) -> None:
-        """Show steps as a test file holds them."""
+        """Show the steps of a test file."""
         for line in self.rows:
             take_away(line, self._list)
         self.rows = []
@@ -366,14 +366,14 @@ class SequenceCard(QGroupBox):
         self.none.setVisible(not self.rows)
 
     def read(self) -> tuple[list[dict[str, Any]], int]:
-        """Return the steps and how many of them are wrong; show at each what is wrong."""
+        """Return the steps and the number of wrong ones; show the errors of each."""
         read = [line.read() for line in self.rows]
         for line, (_, wrong) in zip(self.rows, read, strict=True):
             line.say(wrong)
         return [step for step, _ in read], sum(1 for _, wrong in read if wrong)
 
     def show_places(self, test: TestFile | None) -> None:
-        """Show the revolutions of each step of a usable test; None: not known."""
+        """Show the range of revolutions of each step of a usable test; None: not known."""
         known = test is not None and len(test.run.step) == len(self.rows)
         steps, first = Steps(test.run) if test is not None and known else None, 1
         for count, line in enumerate(self.rows, start=1):

@@ -1,4 +1,4 @@
-"""Ask whether to save or discard changes, which are listed."""
+"""Bar that lists unsaved changes and asks whether to save or discard them."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from rigapp.gui.widgets.build import button
 from rigapp.presentation.translation import tr
 
 NAMED = 4
-"""Changes named one by one; more of them are counted."""
+"""Maximum number of changes named one by one; further ones are counted."""
 
 
 class UnsavedBar(Bar):
-    """List the changes; save them, discard them, or go on editing, which is the default.
+    """List the changes; save them, discard them, or continue editing, which is the default.
 
     replaced: the widget in whose place the bar is shown.
     """
@@ -33,7 +33,7 @@ class UnsavedBar(Bar):
         self.lay_out((self.save, self.discard, self.stay))
 
     def ask(self, changes: Sequence[str], what: str, then: Callable[[], None]) -> None:
-        """Ask before ``what`` is done; ``then`` does it, after saving or discarding."""
+        """Ask before the action ``what``; ``then`` performs it, after saving or discarding."""
         self._then = then
         self.say(tr("Not saved before {}: {}", tr(what), listed(changes)))
         many = len(changes) > 1
@@ -45,7 +45,7 @@ class UnsavedBar(Bar):
         self.stay.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def put_away(self) -> None:
-        """Go on editing."""
+        """Continue editing."""
         self._then = None
         self.hide()
         self._replaced.show()

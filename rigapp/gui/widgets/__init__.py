@@ -1,1 +1,1 @@
-"""Small parts that every panel is made of: labels, buttons, tables, bars. They know no test."""
+"""Basic widgets of all panels: labels, buttons, tables, bars, independent of tests."""

@@ -1,4 +1,4 @@
-"""A bar in the line of messages: a statement or a question that covers nothing."""
+"""A bar in the message line: a non-modal statement or question."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from rigapp.presentation.tokens import GAP, MARGIN, STEP
 from rigapp.presentation.translation import Text, tr
 
 TEXT_WIDTH = 34 * STEP
-"""Of the sentence beside the buttons; with less room they are below it."""
+"""Minimum width of the sentence beside the buttons; with less room they are below it."""
 
 
 class Bar(QFrame):
     """A sentence with buttons beside it, hidden until there is one.
 
-    escape: what the key Esc does while the bar is shown, nothing unless it is set.
+    escape: called by the key Esc while the bar is shown, if set.
     """
 
     def __init__(self, name: str, spoken: Text, text_spoken: Text = "") -> None:
@@ -35,14 +35,14 @@ class Bar(QFrame):
         self.hide()
 
     def lay_out(self, buttons: Sequence[QPushButton]) -> None:
-        """Put the buttons beside the sentence."""
+        """Place the buttons beside the sentence."""
         self.text.setMinimumWidth(TEXT_WIDTH)
         flowing((self.text, 1), self.more, *buttons, on=self).setContentsMargins(MARGIN, 0, GAP, 0)
 
     def say(self, text: Text, details: str = "") -> None:
-        """Show a sentence; nothing is laid out again when it is the one shown.
+        """Show a sentence; the layout is kept when it is unchanged.
 
-        details: shown in its place while their button is down, so that the bar keeps its height.
+        details: replace the sentence while their button is down, so that the bar keeps its height.
         """
         if details != self._details:
             self._details = details
@@ -62,7 +62,7 @@ class Bar(QFrame):
             self.setVisible(wanted)
 
     def paint(self, base: str, ink: str, more: str = "") -> None:
-        """Paint the bar on a colour, its sentence in another; more: further rules."""
+        """Set the colours of background and sentence; more: further rules of the style sheet."""
         name = self.objectName()
         sheet = f"#{name} {{ background: {base}; }} #{self.text.objectName()} {{ color: {ink}; }}"
         sheet = f"{sheet} {more}"
@@ -71,7 +71,7 @@ class Bar(QFrame):
             self.setStyleSheet(sheet)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Esc leaves the bar."""
+        """Call ``escape`` by Esc."""
         if event.key() == Qt.Key.Key_Escape and self.escape is not None:
             self.escape()
         else:

@@ -1,4 +1,4 @@
-"""Make widgets with both their names: the object name, and the accessible name (read aloud)."""
+"""Make widgets with object name and accessible name (read aloud)."""
 
 from __future__ import annotations
 
@@ -38,16 +38,16 @@ Item = QWidget | QLayout | Text | None
 Margins = int | tuple[int, int] | tuple[int, int, int, int]
 
 BUTTON_FRAME = 26
-"""Left and right of a button's words: edges and padding, see ``look.dress``."""
+"""Horizontal space of a button besides its text: edges and padding, see ``look.dress``."""
 HINT_FRAME = 4 * STEP
-"""Around the hint of a line: its edges, and the sign that empties it."""
+"""Horizontal space of a line besides its hint: edges, and the button that clears it."""
 Called = Callable[..., Any]
 
 
 class GuardedButton(QPushButton):
-    """A button that changes something at the rig: disabled while another viewer has control.
+    """A button that changes the rig: disabled while another viewer has control.
 
-    What the panel sets meanwhile (``setEnabled``, ``setToolTip``) takes effect afterwards.
+    Calls of ``setEnabled`` and ``setToolTip`` meanwhile take effect afterwards.
     """
 
     def __init__(self, text: str = "") -> None:
@@ -57,20 +57,20 @@ class GuardedButton(QPushButton):
         self._why = ""
 
     def setEnabled(self, enabled: bool) -> None:
-        """Enable it, unless it is forbidden."""
+        """Enable the button, unless it is forbidden."""
         self._wanted = enabled
         allowed = enabled and not self._why
         if allowed != self.isEnabled():
             parent = self.parentWidget()
             if not allowed and self.hasFocus() and parent is not None:
-                # Qt would give the focus to the next field, and scroll the page to it.
+                # Else Qt gives the focus to the next field and scrolls the page to it.
                 parent.setFocus()
             super().setEnabled(allowed)
             if allowed and parent is not None and parent.hasFocus():
                 self.setFocus()
 
     def setToolTip(self, tip: str) -> None:
-        """Set the tool tip; while forbidden, the reason is shown in its place."""
+        """Set the tool tip; while forbidden, the reason replaces it."""
         self._tip = tip
         self._show()
 
@@ -89,10 +89,10 @@ class GuardedButton(QPushButton):
 
 
 class WheelGuard(QObject):
-    """Leave the wheel over a field to the page unless the field has the focus."""
+    """Pass the wheel over a field to the page unless the field has the focus."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep the wheel from a field without the focus."""
+        """Block the wheel for a field without the focus."""
         if event.type() is not QEvent.Type.Wheel or not isinstance(watched, QWidget):
             return False
         if watched.hasFocus():
@@ -102,11 +102,11 @@ class WheelGuard(QObject):
 
 
 def steady_field(field: Field) -> Field:
-    """Return a field that takes the wheel only with the focus, its number aligned with texts."""
+    """Return a field that accepts the wheel only with the focus, its number aligned with texts."""
     field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     field.installEventFilter(WheelGuard(field))
     if isinstance(field, QAbstractSpinBox):
-        # A style sheet's padding does not reach the line inside.
+        # The padding of a style sheet does not apply to the line edit inside.
         field.lineEdit().setTextMargins(STEP - 2, 0, 0, 0)
     return field
 
@@ -128,7 +128,7 @@ def key_text(key: str) -> str:
 
 
 def tell(widget: QWidget, name: str, value: object) -> None:
-    """Set a property of a widget (see ``look.dress``); where it changed, style the widget anew."""
+    """Set a property of a widget (see ``look.dress``); polish the widget where it changed."""
     if widget.property(name) != value:
         widget.setProperty(name, value)
         style = widget.style()
@@ -161,7 +161,7 @@ def button(
         control.setProperty("rank", rank)
     if checkable:
         control.setCheckable(True)
-        # When checked its words are bold (``look.dress``): it keeps the room for them.
+        # When checked its text is bold (``look.dress``): reserve the room for it.
         bold = control.font()
         bold.setWeight(QFont.Weight.DemiBold)
         words = QFontMetrics(bold).size(Qt.TextFlag.TextShowMnemonic, text).width()
@@ -169,7 +169,7 @@ def button(
         if call is not None:
             control.toggled.connect(call)
     elif call is not None:
-        # The signal holds a method weakly, but a function around it strongly.
+        # A signal references a method weakly, but a function around it strongly.
         control.clicked.connect(call if inspect.ismethod(call) else lambda: call())
     return control
 
@@ -177,7 +177,7 @@ def button(
 def edit(
     name: str, spoken: Text, changed: Called | None = None, *, hint: Text = "", most: int = 0
 ) -> QLineEdit:
-    """Return a line to type in; most: characters it takes, 0 for any number."""
+    """Return a line edit; most: maximum number of characters, 0 without limit."""
     line = named(QLineEdit(), name, spoken)
     line.setPlaceholderText(tr(hint))
     if most:
@@ -188,7 +188,7 @@ def edit(
 
 
 def fit_hint(line: QLineEdit) -> None:
-    """Give a line the room that its hint needs."""
+    """Set the minimum width of a line to that of its hint."""
     hint = line.fontMetrics().horizontalAdvance(line.placeholderText())
     line.setMinimumWidth(hint + HINT_FRAME)
 
@@ -196,7 +196,7 @@ def fit_hint(line: QLineEdit) -> None:
 def choice(
     name: str, spoken: Text, items: Iterable[tuple[Text, Any]], chosen: Called | None = None
 ) -> QComboBox:
-    """Return a box to choose from; items: text and value."""
+    """Return a combo box; items: text and value."""
     box = named(steady_field(QComboBox()), name, spoken)
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     for text, value in items:
@@ -207,7 +207,7 @@ def choice(
 
 
 def searched(box: QComboBox) -> QComboBox:
-    """Make a box of many items searchable: what is typed may be anywhere in an item's words."""
+    """Make a box of many items searchable by any part of an item's text."""
     box.setEditable(True)
     box.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
     line, completer = box.lineEdit(), box.completer()
@@ -218,13 +218,13 @@ def searched(box: QComboBox) -> QComboBox:
     completer.setFilterMode(Qt.MatchFlag.MatchContains)
     completer.setCompletionMode(QCompleter.CompletionMode.PopupCompletion)
     completer.setCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-    # A text that names no item is no choice: restore that of the present item.
+    # A text without an item selects nothing: restore that of the present item.
     line.editingFinished.connect(lambda: box.setEditText(box.itemText(box.currentIndex())))
     return box
 
 
 def add_group(box: QComboBox, items: Mapping[str, str]) -> None:
-    """Add items, names and words, to a box, after a line."""
+    """Add items (name and text) to a box after a separator."""
     if box.count() and items:
         box.insertSeparator(box.count())
     for name, text in items.items():
@@ -232,15 +232,15 @@ def add_group(box: QComboBox, items: Mapping[str, str]) -> None:
 
 
 def choose(box: QComboBox, name: object) -> None:
-    """Choose an item by its name; the first one for None, or where there is none of that name.
+    """Select an item by its name; the first one for None or an unknown name.
 
-    Lines between groups have no name: None must not find one of them.
+    Separators have no name: None must not find one of them.
     """
     box.setCurrentIndex(0 if name is None else max(box.findData(name), 0))
 
 
 def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
-    """Return a field for a whole number, read when it is complete."""
+    """Return a field for an integer, whose value changes when editing is finished."""
     box = named(steady_field(QSpinBox()), name, spoken)
     box.setRange(low, high)
     box.setGroupSeparatorShown(True)
@@ -249,7 +249,7 @@ def whole_number(name: str, spoken: Text, low: int, high: int) -> QSpinBox:
 
 
 def styled_label(text: Text, role: str) -> QLabel:
-    """Return a label that names what is beside or below it; role: see ``look.dress``."""
+    """Return a caption for the widget beside or below it; role: see ``look.dress``."""
     label = QLabel(tr(text))
     label.setProperty("role", role)
     return label
@@ -270,7 +270,7 @@ def row(
     margins: Margins | None = None,
     spacing: int | None = None,
 ) -> QHBoxLayout:
-    """Return items side by side, by default with the style's distances; see ``filled``."""
+    """Return a row of items, by default with the style's spacing; see ``filled``."""
     layout = filled(QHBoxLayout(on) if on is not None else QHBoxLayout(), items)
     return spaced(layout, margins, spacing)
 
@@ -281,15 +281,15 @@ def column(
     margins: Margins = 0,
     spacing: int = 2,
 ) -> QVBoxLayout:
-    """Return items below each other, by default close together; see ``filled``."""
+    """Return a column of items, by default with small spacing; see ``filled``."""
     layout = filled(QVBoxLayout(on) if on is not None else QVBoxLayout(), items)
     return spaced(layout, margins, spacing)
 
 
 def spaced(layout: Layout, margins: Margins | None, spacing: int | None) -> Layout:
-    """Set the distances of a layout, in pixels; None leaves those of the style.
+    """Set margins and spacing of a layout in pixels; None keeps those of the style.
 
-    margins: on all sides; or beside, above and below; or left, top, right, bottom.
+    margins: all sides; or horizontal and vertical; or left, top, right, bottom.
     """
     if isinstance(margins, int):
         layout.setContentsMargins(margins, margins, margins, margins)
@@ -301,7 +301,7 @@ def spaced(layout: Layout, margins: Margins | None, spacing: int | None) -> Layo
 
 
 def signed(size: QSize, text: QLabel, line: QLabel, on: QWidget) -> QLabel:
-    """Lay a sign beside a text with a line in small below it; return the sign."""
+    """Lay out a sign beside a text with a small line below it; return the sign."""
     sign = QLabel()
     sign.setFixedSize(size)
     line.setProperty("role", "caption")
@@ -311,9 +311,9 @@ def signed(size: QSize, text: QLabel, line: QLabel, on: QWidget) -> QLabel:
 
 
 def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
-    """Fill a layout: widgets and layouts, with their stretch where it is not 0, captions as texts.
+    """Add items to a layout: widgets and layouts, optionally with a stretch, and texts.
 
-    A text is the caption of the widget after it and has its access key; None is room to stretch.
+    A text is the caption of the next widget, with its access key; None is a stretchable space.
     """
     caption: QLabel | None = None
     for entry in items:
@@ -334,7 +334,7 @@ def filled(layout: Layout, items: Sequence[Item | tuple[Item, int]]) -> Layout:
 
 
 def follow_in_tab_order(*widgets: QWidget) -> None:
-    """Put widgets one after the other in the order of the key Tab, from the first one's place."""
+    """Set the tab order of widgets, one after the other from the position of the first."""
     for first, then in pairwise(widgets):
         QWidget.setTabOrder(first, then)
 
@@ -347,7 +347,7 @@ def page(*items: Item | tuple[Item, int]) -> QWidget:
 
 
 def scrolling(name: str, spoken: Text, inside: QWidget) -> QScrollArea:
-    """Return an area that scrolls up and down only, and takes the available height."""
+    """Return an area that scrolls vertically only, and takes the available height."""
     area = named(QScrollArea(), name, spoken)
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -366,7 +366,7 @@ def split(
     *parts: QWidget,
     spoken: Text = "Divided panels",
 ) -> QSplitter:
-    """Return parts with movable borders between them."""
+    """Return a splitter with parts."""
     splitter = named(QSplitter(orientation), name, spoken)
     splitter.setChildrenCollapsible(False)
     splitter.setHandleWidth(GAP)
@@ -377,7 +377,7 @@ def split(
 
 
 def take_away(line: QWidget, layout: QBoxLayout) -> None:
-    """Remove a line from a list and destroy it; it is hidden at once, not at the next event."""
+    """Remove a line from a list and delete it; it is hidden immediately, not at the next event."""
     layout.removeWidget(line)
     line.hide()
     line.deleteLater()
@@ -388,7 +388,7 @@ def choose_paths(
 ) -> None:
     """Show a dialog for files or a folder, not modal, so that Stop can be pressed.
 
-    chosen: called with the paths, a list of texts. files: what they are, with their endings.
+    chosen: called with the paths, a list of texts. files: their description, with suffixes.
     """
     dialog = QFileDialog(parent, tr(title), filter=tr(files))
     dialog.setFileMode(mode)

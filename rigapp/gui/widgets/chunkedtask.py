@@ -1,4 +1,4 @@
-"""Long work in short pieces: keys, news and the state bar come in between."""
+"""Long work in short pieces, between which keys, news and the state bar are handled."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from PySide6.QtCore import QObject, QTimer
 Call = Callable[[], object]
 
 TURN_MS = 10
-"""Between two pieces: as long as an update by news, and too short to be seen."""
+"""Interval between two pieces: as long as an update by news, and too short to be noticed."""
 
 
 class ChunkedTask(QTimer):
-    """Make calls in their order, each in its own turn of the event loop."""
+    """Make calls in order, each in a separate turn of the event loop."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -23,13 +23,13 @@ class ChunkedTask(QTimer):
         self.timeout.connect(self._next)
 
     def then(self, calls: Iterable[Call]) -> None:
-        """Make these calls after what is still to be made."""
+        """Append calls to the pending ones."""
         self._calls.extend(calls)
         if self._calls and not self.isActive():
             self.start()
 
     def instead(self, calls: Iterable[Call]) -> None:
-        """Make these calls in place of what is still to be made."""
+        """Replace the pending calls."""
         self._calls.clear()
         self.then(calls)
 

@@ -1,4 +1,4 @@
-"""Details of a text, folded: a message of a library, a register, an address."""
+"""Folded details of a text: a message of a library, a register, an address."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def details_button(name: str, unfolded: Called) -> QPushButton:
 
 
 class FoldedDetails(QWidget):
-    """Details below the text that they belong to; hidden while there are none."""
+    """Details below their text; hidden while there are none."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -28,7 +28,7 @@ class FoldedDetails(QWidget):
         self.hide()
 
     def show_details(self, details: str) -> None:
-        """Set the details, folded where they are new ones; without any nothing is shown."""
+        """Set the details, folded where they are new; without details nothing is shown."""
         if details != self.details.text():
             self.details.setText(details)
             self.more.setChecked(False)

@@ -1,4 +1,4 @@
-"""Labels of one line: cut with an ellipsis, or set smaller, where there is no room."""
+"""Labels of one line: elided, or with a smaller font, where there is no room."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.presentation.translation import Text, tr
 WRAPPED = int(Qt.TextFlag.TextWordWrap)
 
 SMALLEST = 0.5
-"""Of its font's size, the smallest to which a value shrinks before it is cut."""
+"""Minimum font size of a value before it is elided, share of its normal size."""
 
 
 def heading(name: str, text: Text, points: float = BODY_PT) -> QLabel:
@@ -28,7 +28,7 @@ def heading(name: str, text: Text, points: float = BODY_PT) -> QLabel:
 
 
 class ElidedLabel(QLabel):
-    """Show one line, cut with an ellipsis where it does not fit; the tool tip has the full text."""
+    """Show one line, elided where it does not fit; the tool tip has the full text."""
 
     def __init__(self, name: str, spoken: Text) -> None:
         super().__init__()
@@ -39,9 +39,9 @@ class ElidedLabel(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def show_text(self, text: Text, short: Text = "") -> None:
-        """Show a text; nothing is repainted when it is the one shown.
+        """Show a text; an unchanged one is not repainted.
 
-        short: shown in its place where there is no room for it.
+        short: replaces the text where there is no room for it.
         """
         text, short = tr(text), tr(short)
         if (text, short) != (self._whole, self._short):
@@ -51,11 +51,11 @@ class ElidedLabel(QLabel):
 
     @property
     def whole(self) -> str:
-        """Return the text, not cut."""
+        """Return the complete text."""
         return self._whole
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Cut again for the new width."""
+        """Elide the text for the new width."""
         super().resizeEvent(event)
         self._cut()
 
@@ -69,7 +69,7 @@ class ElidedLabel(QLabel):
 
 
 class ShortLabel(ElidedLabel):
-    """Show one line, or its short text, for which there is always room."""
+    """Show one line, or its short text, which always fits."""
 
     def show_text(self, text: Text, short: Text = "") -> None:
         """Show a text; see ``ElidedLabel``."""
@@ -80,7 +80,7 @@ class ShortLabel(ElidedLabel):
 
 
 class FewLinesLabel(ElidedLabel):
-    """Show a sentence in a few lines; cut with an ellipsis only where these are too few."""
+    """Show a sentence in a few lines; elided only where these are too few."""
 
     def __init__(self, name: str, spoken: Text, lines: int) -> None:
         super().__init__(name, spoken)
@@ -101,14 +101,14 @@ class FewLinesLabel(ElidedLabel):
 
 
 class FittedLabel(ElidedLabel):
-    """Show one line, smaller where it does not fit; cut only when half its size is too large."""
+    """Show one line, smaller where it does not fit; elided only when half its size is too large."""
 
     def __init__(self, name: str, spoken: Text, font: QFont) -> None:
         super().__init__(name, spoken)
         self.set_largest(font)
 
     def set_largest(self, font: QFont) -> None:
-        """Set the font that is used where there is room for it."""
+        """Set the font for sufficient room."""
         self._largest = font
         self.setFont(font)
         self.setFixedHeight(QFontMetrics(font).height())
@@ -120,7 +120,7 @@ class FittedLabel(ElidedLabel):
         smallest = SMALLEST * font.pointSizeF()
         right = Qt.TextElideMode.ElideRight
         while (
-            # By what would be cut: a width in whole pixels may be a little less.
+            # By elision: a width in integer pixels may be slightly too small.
             QFontMetrics(font).elidedText(self._whole, right, room) != self._whole
             and font.pointSizeF() > smallest
         ):

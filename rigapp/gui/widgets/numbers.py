@@ -1,4 +1,4 @@
-"""Read numbers as people type them."""
+"""Parse numbers as users type them."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ _MINUS = "\u2212"
 
 
 def number(text: str) -> float:
-    """Return the number that a text means; decimal comma and point are both read.
+    """Return the number in a text, with decimal comma or point.
 
-    Raises ValueError where it is none: a comma beside a point may be either sort of mark.
+    Raises ValueError for other texts, also with both: either mark may then group digits.
     """
     plain = text.translate(_SPACES).replace(_MINUS, "-")
     if plain.count(",") == 1 and "." not in plain:
@@ -18,5 +18,5 @@ def number(text: str) -> float:
 
 
 def whole(text: str) -> int:
-    """Return the whole number that a text means; raise ValueError where it is none."""
+    """Return the integer in a text; raises ValueError for other texts."""
     return int(text.translate(_SPACES).replace(_MINUS, "-"))

@@ -1,4 +1,4 @@
-"""Rows and divided panels that wrap where the window is too narrow for them."""
+"""Rows and splitters that wrap in a window that is too narrow for them."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Line = list[tuple[QLayoutItem, QSize]]
 
 
 class WrappingRow(QLayout):
-    """Widgets beside each other, at their own widths; those without room wrap to a next line.
+    """Widgets side by side at their own widths; those without room wrap to the next line.
 
-    Items with a stretch take the rest of their line, and a spacer does so where no item does.
+    Items with a stretch take the rest of their line; without them a spacer does.
     """
 
     def __init__(self, on: QWidget | None = None) -> None:
@@ -28,23 +28,23 @@ class WrappingRow(QLayout):
         self._items: list[QLayoutItem] = []
         self._stretching: set[QWidget] = set()
         self._tall = 0
-        # Needed hundreds of times while a page is laid out; Qt's own layouts store it, too.
+        # Queried hundreds of times while a page is laid out; Qt's own layouts cache it, too.
         self._heights: dict[int, int] = {}
         self.setContentsMargins(QMargins())
         self.setSpacing(GAP)
 
     def add(self, widget: QWidget, stretch: int) -> None:
-        """Add a widget at the end; with a stretch it takes the rest of its line."""
+        """Append a widget; with a stretch it takes the rest of its line."""
         self.addWidget(widget)
         if stretch:
             self._stretching.add(widget)
 
     def addItem(self, item: QLayoutItem) -> None:
-        """Add an item at the end."""
+        """Append an item."""
         self._items.append(item)
 
     def count(self) -> int:
-        """Return how many items there are."""
+        """Return the number of items."""
         return len(self._items)
 
     def itemAt(self, index: int) -> QLayoutItem | None:
@@ -56,13 +56,13 @@ class WrappingRow(QLayout):
         return self._items.pop(index) if 0 <= index < len(self._items) else None
 
     def expandingDirections(self) -> Qt.Orientation:
-        """Take the available width, and the height where an item does."""
+        """Return horizontal, and vertical where an item expands vertically."""
         seen = [(item, QSize()) for item in self._seen() if item.spacerItem() is None]
         tall = Qt.Orientation.Vertical if _grows(seen) else Qt.Orientation(0)
         return Qt.Orientation.Horizontal | tall
 
     def hasHeightForWidth(self) -> bool:
-        """Return True: the height follows from the width."""
+        """Return True: the height depends on the width."""
         return True
 
     def heightForWidth(self, width: int) -> int:
@@ -76,7 +76,7 @@ class WrappingRow(QLayout):
         return self._heights[width]
 
     def invalidate(self) -> None:
-        """Drop the stored heights: an item has another size."""
+        """Drop the cached heights, since an item has another size."""
         self._heights.clear()
         super().invalidate()
 
@@ -87,9 +87,10 @@ class WrappingRow(QLayout):
         return self._framed(sum(size.width() for size in sizes) + gaps, sizes)
 
     def minimumSize(self) -> QSize:
-        """Return the width of the widest item, and the height of the lines as they are laid now.
+        """Return the width of the widest item, and the height of the present lines.
 
-        So it is right also for what does not request the height at a width, as a splitter.
+        This is also correct for parents that do not query the height for a width, such as a
+        splitter.
         """
         seen = self._seen()
         wide = max((item.minimumSize().width() for item in seen), default=0)
@@ -106,7 +107,7 @@ class WrappingRow(QLayout):
         )
 
     def setGeometry(self, rect: QRect) -> None:
-        """Lay the lines below each other."""
+        """Place the lines below each other."""
         super().setGeometry(rect)
         room = rect.marginsRemoved(self.contentsMargins())
         y = room.y()
@@ -120,7 +121,7 @@ class WrappingRow(QLayout):
             self._lay(line, QRect(room.x(), y, room.width(), height))
             y += height + self.spacing()
         tall, on = self.heightForWidth(rect.width()), self.parentWidget()
-        # Before the window is shown no width is final.
+        # Widths are not final before the window is shown.
         if tall != self._tall and on is not None and on.window().isVisible():
             self._tall = tall
             self.update()
@@ -144,7 +145,7 @@ class WrappingRow(QLayout):
         return [self._filled(line, width) for line in lines]
 
     def _filled(self, line: Line, width: int) -> Line:
-        """Return a line whose items have what is left of its width."""
+        """Return a line whose items share the remaining width."""
         parts = [size.width() for item, size in line if item.spacerItem() is None]
         over = width - sum(parts) - self.spacing() * (len(parts) - 1)
         greedy = [item for item, _ in line if item.widget() in self._stretching]
@@ -183,14 +184,14 @@ def _height(line: Line) -> int:
 
 
 def _grows(line: Line) -> bool:
-    """Tell whether a line takes more height where there is more."""
+    """Return whether a line can use additional height."""
     return any(item.expandingDirections() & Qt.Orientation.Vertical for item, _ in line)
 
 
 def flowing(*items: Item | tuple[Item, int], on: QWidget | None = None) -> WrappingRow:
-    """Return items side by side, wrapping to a next line; see ``build.filled``.
+    """Return a wrapping row of items; see ``build.filled``.
 
-    A caption stays with the widget after it.
+    A caption stays with the next widget.
     """
     layout = WrappingRow(on)
     caption: Text = ""
@@ -207,15 +208,15 @@ def flowing(*items: Item | tuple[Item, int], on: QWidget | None = None) -> Wrapp
 
 
 SentencePart = tuple[QWidget, QWidget | None, bool]
-"""A field, the unit behind it, and whether the field takes the rest of the line."""
+"""A field, its unit, and whether the field takes the rest of the line."""
 
 
 def sentence_row(
     sentence: str, field_of: Callable[[str], SentencePart], before: QWidget | None = None
 ) -> WrappingRow:
-    """Return a sentence with fields in the place of its braces; it wraps between them.
+    """Return a sentence with fields in place of its braces; it wraps between them.
 
-    The words before a field, and the unit behind it, stay with it. before: the first widget.
+    The words before a field and the unit after it stay with it. before: the first widget.
     """
     layout = WrappingRow()
     layout.setSpacing(STEP)
@@ -234,7 +235,7 @@ def sentence_row(
 
 
 def together(*parts: QWidget | tuple[QWidget, int] | None) -> QWidget:
-    """Return parts that stay side by side; those that are None are left out."""
+    """Return a row that does not wrap; parts that are None are omitted."""
     shown = [part for part in parts if part is not None]
     if len(shown) == 1:
         return shown[0][0] if isinstance(shown[0], tuple) else shown[0]
@@ -244,14 +245,14 @@ def together(*parts: QWidget | tuple[QWidget, int] | None) -> QWidget:
 
 
 def _captioned(caption: Text, field: QWidget, stretch: int) -> QWidget:
-    """Return a field with its caption before it."""
+    """Return a field with its caption."""
     label = QLabel(tr(caption))
     label.setBuddy(field)
     return together(label, (field, stretch))
 
 
 class WrappingGrid(WrappingRow):
-    """Cards of equal width beside each other: as many as have their least width, but not more."""
+    """Cards of equal width side by side: as many as their minimum width allows, up to ``most``."""
 
     def __init__(self, least: int, most: int = 2, on: QWidget | None = None) -> None:
         super().__init__(on)
@@ -267,9 +268,9 @@ class WrappingGrid(WrappingRow):
 
 
 class FoldingSplitter(QSplitter):
-    """Panels beside each other with movable borders; below each other in a narrow window.
+    """Panels side by side with movable borders; below each other in a narrow window.
 
-    width: what they need beside each other, in pixels.
+    width: required for the panels side by side, pixels.
     """
 
     def __init__(self, name: str, width: int, spoken: Text = "Divided panels") -> None:
@@ -283,7 +284,7 @@ class FoldingSplitter(QSplitter):
         self.splitterMoved.connect(self._moved)
 
     def divide(self, *parts: tuple[QWidget, int, int]) -> Self:
-        """Add panels, each with its width beside the others and its height below them."""
+        """Add panels, each with its width side by side and its height below each other."""
         for part, _, _ in parts:
             self.addWidget(part)
         self._sizes = [width for _, width, _ in parts]
@@ -293,24 +294,24 @@ class FoldingSplitter(QSplitter):
 
     @property
     def folded(self) -> bool:
-        """Tell whether the panels are below each other."""
+        """Return whether the panels are below each other."""
         return self.orientation() is Qt.Orientation.Vertical
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Turn the splitter where the panels need it."""
+        """Change the orientation where the panels need it."""
         super().resizeEvent(event)
         if (self.width() < self._least) is not self.folded:
             self._turn(folded=not self.folded)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the width of the widest panel: the others can be below it."""
+        """Return the width of the widest panel, since the others can be below it."""
         least = super().minimumSizeHint()
         parts = [part for index in range(self.count()) if (part := self.widget(index)) is not None]
         wide = max((part.minimumSizeHint().width() for part in parts), default=0)
         return QSize(wide, least.height())
 
     def event(self, event: QEvent) -> bool:
-        """Give each panel the height that its texts need after they have wrapped."""
+        """Set the minimum height of each panel to that of its wrapped texts."""
         if event.type() is QEvent.Type.LayoutRequest:
             self._hold_heights()
         return super().event(event)

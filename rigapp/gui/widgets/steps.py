@@ -1,4 +1,4 @@
-"""A step of several: done, now or later, in a sign and in words."""
+"""A row for one of several steps: done, now or later, as sign and text."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SIGN = QSize(2 * STEP + 4, 2 * STEP + 4)
 
 @dataclass(frozen=True, slots=True)
 class ShownStep:
-    """One step: its name, its state in words, and whether it is done or under way."""
+    """One step: name, state as text, and whether it is done or in progress."""
 
     name: Text
     line: Text
@@ -38,7 +38,7 @@ class StepRow(QWidget):
         self.sign = signed(SIGN, self.name, self.line, self)
 
     def show_step(self, step: ShownStep, theme: Theme) -> None:
-        """Show a step; nothing is drawn again when it is the one shown."""
+        """Show a step; an unchanged one is not redrawn."""
         if (step, theme.name) == self._shown:
             return
         self._shown = step, theme.name

@@ -1,4 +1,4 @@
-"""Tables to read."""
+"""Read-only tables."""
 
 from __future__ import annotations
 
@@ -25,32 +25,32 @@ from rigapp.presentation.translation import Text, tr
 Row = TypeVar("Row")
 Index = QModelIndex | QPersistentModelIndex
 Mark = tuple[str, str] | None
-"""Background and ink of a marked cell; None: it has no colour of its own."""
+"""Background and text colour of a marked cell; None: not marked."""
 
 HEADING_FRAME, WORD_FRAME = 2 * STEP, STEP
-"""Around a word of a heading and of a cell, in pixels."""
+"""Horizontal space around a word of a heading and of a cell, pixels."""
 LONG_WORD = 20
-"""Characters; shorter ones stay whole, as a date."""
+"""Number of characters above which a word may break; shorter ones, such as dates, do not."""
 MEASURED_ROWS = 50
-"""First rows of a table whose words are given room."""
+"""Number of first rows whose words determine the widths of columns."""
 ROW_LINES = 1.5
-"""Height of a row that does not wrap, in lines of text: room above and below it."""
+"""Height of a row that does not wrap, in lines of text."""
 
 
 class MarkDelegate(QStyledItemDelegate):
-    """Paint a marked cell in its own colour, chosen or not."""
+    """Paint a marked cell in its own colour, selected or not."""
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """Leave the selection out of the mark's own colours."""
+        """Remove the selection from the options of a marked cell."""
         super().initStyleOption(option, index)
         if index.data(Qt.ItemDataRole.BackgroundRole) is not None:
             option.state &= ~QStyle.StateFlag.State_Selected
 
 
 def shared(wanted: Mapping[int, int], least: Mapping[int, int], room: int) -> dict[int, int]:
-    """Return a width for each column: as wanted, less for the widest where there is no room.
+    """Return a width for each column: as wanted, reduced for the widest where there is no room.
 
-    All in pixels; least: the minima.
+    All in pixels; least: the minimum widths.
     """
     over = sum(wanted.values()) > room
     low, cap = 0, max(wanted.values(), default=0)
@@ -63,19 +63,19 @@ def shared(wanted: Mapping[int, int], least: Mapping[int, int], room: int) -> di
 
 
 def _unbroken(word: str) -> list[str]:
-    """Return the parts of a word within which no line breaks: a path breaks behind its slashes.
+    """Return the unbreakable parts of a word; a path can break after its slashes.
 
-    Behind a hyphen a line breaks before letters only (Unicode line breaking, rule LB25).
+    After a hyphen a line breaks before letters only (Unicode line breaking, rule LB25).
     """
     return re.split(r"(?<=/)|(?<=-)(?=[^\W\d])", word) if len(word) > LONG_WORD else [word]
 
 
 class PlainTable(QTableWidget):
-    """A table to read: rows of texts, repainted only where a text changed.
+    """A read-only table: rows of texts, repainted only where a text changed.
 
-    It never scrolls sideways: texts wrap where there is no room for them. marked: the column that a
-    mark colours. stretch: columns that share the remaining room, by default the last one. cut:
-    columns of names chosen by users, which may be cut; tool tips have the full names.
+    It does not scroll horizontally: texts wrap where there is no room. marked: the column coloured
+    by a mark. stretch: columns that share the remaining width, by default the last one. cut:
+    columns of names chosen by users, which may be elided; tool tips have the full names.
     """
 
     def __init__(
@@ -137,17 +137,17 @@ class PlainTable(QTableWidget):
         return int(ROW_LINES * self.fontMetrics().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Divide the width anew."""
+        """Distribute the new width."""
         super().resizeEvent(event)
         self._fit()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Divide the width as the style requires it now."""
+        """Distribute the width for the present style."""
         super().showEvent(event)
         self._fit()
 
     def _fit(self) -> None:
-        """Set the widths that the texts need; where there is no room for that, they wrap."""
+        """Set the column widths for the texts; where there is no room, they wrap."""
         if not self.isVisible():
             return
         header, room = self.horizontalHeader(), self.viewport().width()
@@ -168,7 +168,7 @@ class PlainTable(QTableWidget):
         self._fit_rows()
 
     def _fit_rows(self) -> None:
-        """Set the heights of the visible rows to what their wrapped texts need."""
+        """Set the heights of the visible rows to those of their wrapped texts."""
         if not self._wraps:
             return
         first, last = max(self.rowAt(0), 0), self.rowAt(self.viewport().height())
@@ -178,7 +178,7 @@ class PlainTable(QTableWidget):
                 self.setRowHeight(row, tall)
 
     def _longest_word(self, column: int) -> int:
-        """Return the width that the longest word of a column needs, in pixels."""
+        """Return the width of the longest word of a column, pixels."""
         rows = 0 if column in self._cut else min(self.rowCount(), MEASURED_ROWS)
         cells = [self.item(row, column) for row in range(rows)]
         wide = HEADING_FRAME + self._widest([self.horizontalHeaderItem(column)])
@@ -203,20 +203,20 @@ class PlainTable(QTableWidget):
             item.setData(Qt.ItemDataRole.ForegroundRole, ink)
 
     def all_chosen(self) -> list[int]:
-        """Return the chosen rows in order."""
+        """Return the selected rows in order."""
         return sorted({index.row() for index in self.selectedIndexes()})
 
     def chosen(self) -> int | None:
-        """Return the chosen row, the first of several; None without one."""
+        """Return the selected row, the first of several; None without one."""
         return next(iter(self.all_chosen()), None)
 
     def chosen_of(self, rows: Sequence[Row]) -> Row | None:
-        """Return what the chosen row shows; rows: what was shown, in its order."""
+        """Return the object of the selected row; rows: the shown objects, in order."""
         index = self.chosen()
         return rows[index] if index is not None and index < len(rows) else None
 
     def texts(self) -> list[list[str]]:
-        """Return what is shown."""
+        """Return the shown texts."""
         return [
             [
                 item.text() if (item := self.item(row, column)) is not None else ""

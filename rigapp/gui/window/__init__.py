@@ -1,4 +1,4 @@
-"""The frame: state, controls, questions, the table of tabs, and the start of the program.
+"""The frame: state bar, controls, questions, the table of tabs, and the start of the program.
 
-Nothing else imports it but ``rigapp.commands``.
+Only ``rigapp.commands`` imports it.
 """

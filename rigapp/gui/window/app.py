@@ -1,4 +1,4 @@
-"""Start the operator's window: first visible, then attached."""
+"""Start the operator's window, which is shown before it attaches to an engine."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ from rigapp.viewer.showntest import ShownTest
 
 log = logging.getLogger(__name__)
 
-LOOK_MS = 200  # Ctrl-C takes effect at once, to a person
+LOOK_MS = 200  # delay of Ctrl-C that is not noticed
 LOADED_MS = 3000
-"""By then the window is drawn and the engine has answered: the objects made so far stay."""
+"""Time after which the window is drawn and the engine has answered: its objects are then frozen."""
 
 
 def main(
@@ -39,12 +39,12 @@ def main(
 ) -> int:
     """Show the window until it is closed; return the exit status.
 
-    client_factory: makes a client of the engine, on a worker thread, at the start and again
-    whenever the engine is lost; it may be slow and may raise.
+    client_factory: makes a client of the engine, on a worker thread, at the start and after every
+    loss of the engine; it may be slow and may raise.
     start_test: a test to start as soon as the engine answers. language: its code, stored for the
-    next time; empty: the stored one, or the system's.
-    Returns 1 without a window when the self test of the GUI library fails. Raises UnusableInput
-    for a language without a catalogue.
+    next start; empty: the stored one, or the system's.
+    Return 1 without a window when the self test of the GUI library fails. Raises UnusableInput for
+    a language without a catalogue.
     """
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
@@ -92,7 +92,7 @@ def main(
 
 
 def _results_folder(preferences: Preferences, started: Path) -> Path:
-    """Return the folder that the user chose, made where it is missing; else that of the start."""
+    """Return the folder chosen by the user, created where missing; else that of the start."""
     chosen = preferences.get(Preference.RESULTS_FOLDER)
     if not chosen:
         return started
@@ -105,7 +105,7 @@ def _results_folder(preferences: Preferences, started: Path) -> Path:
 
 
 def _end_on_signal(signals: list[str], window: MainWindow, application: QApplication) -> None:
-    """Close for Ctrl-C, kill and a closed terminal; at a second signal end at once."""
+    """Close for Ctrl-C, kill and a closed terminal; at a second signal end immediately."""
     if len(signals) > 1:
         end_at_once(f"interrupted twice by {signals[-1]}; the engine goes on.")
     if signals:

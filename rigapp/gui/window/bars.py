@@ -52,7 +52,7 @@ STEPS = 1000
 
 
 class ReplayFrame(QFrame):
-    """The body of the window; around a replay it has a frame that is seen from three metres."""
+    """The body of the window; a replay has a frame around it that is visible from three metres."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -60,7 +60,7 @@ class ReplayFrame(QFrame):
         self.colour = ""
 
     def paint(self, colour: str) -> None:
-        """Paint the frame in a colour, none where it is empty."""
+        """Set the colour of the frame; empty: no frame."""
         width = FRAME if colour else 0
         layout = self.layout()
         if layout is not None:
@@ -78,7 +78,7 @@ class ReplayFrame(QFrame):
 
 
 class ReplayBar(QFrame):
-    """Play and pause, go to any revolution, change the speed, begin again."""
+    """Play and pause, go to any revolution, change the speed, restart."""
 
     wanted = Signal(str, dict)
 
@@ -130,7 +130,7 @@ class ReplayBar(QFrame):
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         dress_part(
             self,
@@ -143,7 +143,7 @@ class ReplayBar(QFrame):
         self._show_playing()
 
     def show_status(self, status: Status, last_recorded: int) -> None:
-        """Follow the replay, unless the slider is being moved or the revolution typed."""
+        """Show the state of the replay, except fields that are being edited."""
         test = status.test or NO_TEST
         playing = status.engine.state is RunState.RUNNING
         if playing != self._playing:
@@ -196,10 +196,10 @@ MOST_REVOLUTIONS = int(RANGES["run.revolutions"].high)
 
 
 class StartBar(QFrame):
-    """Set length and file of the selected test on a card that floats above the buttons.
+    """Set length and file of the selected test on a card above the buttons.
 
-    The selected test is that of the form (``RecipePanel.selected``); another one that is chosen
-    here is opened there. Its file is read again before the start; differences are shown first.
+    The selected test is that of the form (``RecipePanel.selected``); another one chosen here is
+    opened there. Its file is read again before the start; differences are shown first.
     """
 
     started = Signal(dict)
@@ -244,7 +244,7 @@ class StartBar(QFrame):
             self._add(path)
 
     def show_occupied(self, words: str) -> None:
-        """Show that a calibration occupies the rig, and disable the start; empty: it is free."""
+        """Disable the start while a calibration occupies the rig, with a text; empty: enable it."""
         if words != self._occupied:
             self._occupied = words
             self._show_armed()
@@ -263,7 +263,7 @@ class StartBar(QFrame):
         return index
 
     def choose(self, path: Path) -> bool:
-        """Select a test file; False where it cannot be read, or changes would be lost by it."""
+        """Select a test file; False where it is unreadable or unsaved changes would be lost."""
         if path == self._recipe.path or self._recipe.open_wanted(path):
             self._show_armed()
             return self._recipe.path == path
@@ -271,13 +271,13 @@ class StartBar(QFrame):
         return False
 
     def open(self) -> None:
-        """Show the card with a fresh file name and the focus on the test."""
+        """Show the card with an unused file name and the focus on the test."""
         self._show_armed()
         self.show()
         self.test.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def start(self, path: Path) -> None:
-        """Start a test file as it is, into a fresh file; show the card where that is impossible."""
+        """Start a test file unchanged, into a new file; show the card where that is impossible."""
         self.revolutions.setValue(0)
         if self.choose(path) and self.go.isEnabled():
             self._go()
@@ -285,7 +285,7 @@ class StartBar(QFrame):
             self.open()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter starts, Esc closes the bar."""
+        """Start by Enter, close the card by Esc."""
         if event.key() == Qt.Key.Key_Escape:
             self.hide()
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
@@ -294,7 +294,7 @@ class StartBar(QFrame):
             super().keyPressEvent(event)
 
     def _show_armed(self) -> None:
-        """Show the selected test, and what of the form or of the disk is not part of it."""
+        """Show the selected test, with unsaved changes and changes on the disk."""
         selected = self._recipe.selected
         self.test.setCurrentIndex(-1 if selected is None else self._add(selected.path))
         changed = selected.on_disk() if selected is not None else []
@@ -310,7 +310,7 @@ class StartBar(QFrame):
         self.go.setEnabled(not wrong)
 
     def _sentence(self, changed: Sequence[str], lost: Sequence[str]) -> str:
-        """Return what will be started; changed: differences on the disk, lost: unsaved changes."""
+        """Describe the test to start; changed: differences on the disk, lost: unsaved changes."""
         selected = self._recipe.selected
         if self._occupied:
             return self._occupied
@@ -358,7 +358,7 @@ class StartBar(QFrame):
         dialog.show()
 
     def _go(self) -> None:
-        """Start, unless the file has changed since it was selected."""
+        """Start the test, unless the file has changed since it was selected."""
         self.revolutions.interpretText()
         out, selected = self.out.text().strip(), self._recipe.selected
         if selected is None or not out or selected.on_disk() or self._occupied:

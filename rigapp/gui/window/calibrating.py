@@ -1,4 +1,4 @@
-"""The guide through a calibration in the window: choose, open, leave, return to and end it."""
+"""The calibration guide in the window: choose, open, leave, return to and end it."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Choice:
-    """A calibration: its name with an access key, how it is done, and its subject.
+    """A calibration: name with an access key, procedure, and calibration type.
 
-    what: its name where it occupies the rig. fields: values of the first page at the beginning,
-    by the name of the field.
+    what: its name while it occupies the rig. fields: initial values of the first page, by the name
+    of the field.
     """
 
     text: Text
@@ -77,14 +77,14 @@ CHOICES = {
         "&Run-out of the pin", "by slow rolls of the spindle", "run-out of the pin", "run-out"
     ),
 }
-"""Calibrations by name: subjects, or variants of one."""
+"""Calibrations by name: types, or variants of one."""
 
 WIDEST = 80 * STEP
-"""Of a button: a wider one looks like a line of text."""
+"""Maximum width of a button; a wider one looks like a line of text."""
 
 
 class CalibrationChooser(QDialog):
-    """Choose by letter, arrows or mouse; Esc closes."""
+    """Choose a calibration by letter, arrow keys or mouse; Esc closes."""
 
     chosen = Signal(str)
 
@@ -112,10 +112,10 @@ class CalibrationChooser(QDialog):
 
 
 class CalibrationGuide(QObject):
-    """Open one calibration at a time in the place of the pages; it occupies the rig."""
+    """Open one calibration at a time in place of the pages; it occupies the rig."""
 
     moved = Signal()
-    """A guide took the place of the pages, or left it."""
+    """A guide replaced the pages, or the pages are shown again."""
     reported = Signal(object, bool)
     """An answer, and whether it reports success."""
     occupied = Signal()
@@ -134,7 +134,7 @@ class CalibrationGuide(QObject):
         files: tuple[Path | None, Path],
         theme: Callable[[], Theme],
     ) -> None:
-        """Make it; files: the rig file and the folder of results."""
+        """Make the guide; files: the rig file and the folder of results."""
         super().__init__(parent)
         self._connection, self._reader = connection, reader
         self._stage, self._tabs, self._notice = stage, tabs, notice
@@ -149,7 +149,7 @@ class CalibrationGuide(QObject):
         self._since, self._occupies = 0.0, False
 
     def open(self) -> None:
-        """Show the chooser, or the calibration under way; refused during a test."""
+        """Show the chooser, or the calibration in progress; refused during a test."""
         if self.wizard is not None:
             self.show(self.wizard)
             return
@@ -182,13 +182,13 @@ class CalibrationGuide(QObject):
         self._connection.request("calibration_begin", arguments, partial(self._begun, key))
 
     def show(self, guide: QWidget) -> None:
-        """Show a guide in the place of the rig's pages; strip, Stop and notes stay."""
+        """Show a guide in place of the rig's pages; state bar, Stop and notes stay."""
         self._tabs.show_place(RailPlace.RIG)
         self._stage.guide(guide)
         self.moved.emit()
 
     def leave(self) -> None:
-        """Show the pages in place of the guide, which stays open."""
+        """Show the pages while the guide stays open."""
         self._stage.show_pages()
         self.moved.emit()
 
@@ -205,7 +205,7 @@ class CalibrationGuide(QObject):
             self.wizard.reject()
 
     def take_status(self, status: Status) -> None:
-        """Follow which calibration occupies the rig; close ours when it was ended elsewhere."""
+        """Update which calibration occupies the rig; close the own one when ended elsewhere."""
         running = status.engine.calibration
         self.end_bar.take_status(status)
         ours = running is not None and running.since == self._since
@@ -216,7 +216,7 @@ class CalibrationGuide(QObject):
         self._occupies = ours and self.wizard is not None
 
     def _begun(self, key: str, reply: Reply) -> None:
-        """Open the wizard once this calibration occupies the rig; report why it does not."""
+        """Open the wizard when this calibration occupies the rig, else report why not."""
         from rigapp.calibrating.session import Rig
 
         status = self._connection.status
@@ -266,7 +266,7 @@ class CalibrationGuide(QObject):
             self.show(self.wizard)
 
     def _free(self) -> Status | None:
-        """Return the status of a rig that may be calibrated now, else report why not."""
+        """Return the status of a rig that can be calibrated now, else report why not."""
         status = self._connection.status
         if self._connection.is_replay or status is None or status.engine.state in ACTIVE:
             why: Text = "Calibrating needs a running engine and no running test."
@@ -283,7 +283,7 @@ class CalibrationGuide(QObject):
 
 
 def _load_wizards() -> type[CalibrationWizard]:
-    """Import the wizard; on a worker, where a garbage collection would block the window."""
+    """Import the wizard; on a worker, since a garbage collection would block the window."""
     begin_to_load()
     try:
         from rigapp.gui.wizard.wizard import CalibrationWizard

@@ -1,4 +1,4 @@
-"""Who has control of the rig: display, take and release it with one key."""
+"""Control of the rig: display its holder, take and release it with one key."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ _COMMANDING: dict[CommandHolder, tuple[Text, Text, Text]] = {
         "{name} loses control; it is recorded in the log",
     ),
 }
-"""Text, button and its tool tip, by who has control."""
+"""Text, button and tool tip, by the holder of control."""
 
 
 class CommandLine(QWidget):
-    """One line: who has control, and a button to take or release it."""
+    """One line with the holder of control, and a button to take or release it."""
 
     wanted = Signal(str, dict)
     take_over_wanted = Signal()
@@ -55,7 +55,7 @@ class CommandLine(QWidget):
         self.show_holder(CommandHolder.NOBODY, "")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
-        """Show who has control."""
+        """Show the holder of control."""
         if (holder, name) == (self._holder, self._name):
             return
         self._holder, self._name = holder, name
@@ -75,7 +75,7 @@ class CommandLine(QWidget):
 
 
 class ViewerBar(Bar):
-    """Show in large letters that this window is read-only; take over control after a question."""
+    """Show in large letters that this window is read-only; take over control after confirmation."""
 
     wanted = Signal(str, dict)
 
@@ -89,7 +89,7 @@ class ViewerBar(Bar):
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.paint(theme.tint, theme.text, "#viewer_text { font-weight: 600; }")
 
     def show_holder(self, holder: CommandHolder, name: str) -> None:
@@ -101,7 +101,7 @@ class ViewerBar(Bar):
         self.show_when(other)
 
     def ask(self) -> None:
-        """Ask whether control is to be taken over, with the focus on going on viewing."""
+        """Ask whether to take over control, with the focus on the button to keep viewing."""
         self._asking = True
         self._show()
         self.cancel.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -134,7 +134,7 @@ class ViewerBar(Bar):
 
 
 def why_forbidden(holder: CommandHolder, name: str) -> str:
-    """Return why this window may not change anything, empty when it may."""
+    """Return why this window may not send changes, empty when it may."""
     if holder is not CommandHolder.OTHER:
         return ""
     why = tr("{name} has control of this rig; take over control first", name=name)

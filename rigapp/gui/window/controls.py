@@ -1,4 +1,4 @@
-"""Start, pause, resume, stop and note: one bar, never behind a dialog, each on one key."""
+"""Bar of commands: start, pause, resume, stop and note, each on one key, never behind a dialog."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Send = Callable[[str, dict[str, Any], Callable[[Reply], None]], None]
 
 @dataclass(frozen=True, slots=True)
 class ButtonSpec:
-    """One button: its verb, text with access key, key, and the states in which it applies."""
+    """One button: verb, text with access key, key, and the states in which it applies."""
 
     verb: str
     text: Text
@@ -44,16 +44,16 @@ class ButtonSpec:
 
     @property
     def spoken(self) -> str:
-        """Return the text as it is read aloud."""
+        """Return the text for screen readers."""
         return tr(self.text).replace("&", "")
 
 
 STARTABLE = AT_REST
 NOTHING_TURNS = AT_REST | {RunState.CALIBRATING}
 """States in which there is nothing to stop."""
-START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and set within half of it
+START_AFTER_CONNECT_S = 60.0  # the slowest device is identified and configured in half the time
 IDLE_BEFORE_START_S = 2.0
-"""An idle engine usually connects within this time; after it the start makes it connect."""
+"""Time in which an idle engine usually connects; afterwards the start requests it."""
 
 STOP_KEY = "F12"
 
@@ -103,7 +103,7 @@ TIGHT_STOP_SIZE = QSize(15 * STEP, 6 * STEP)
 
 
 RANKS = {"stop": "dangerous", "start": "primary", "resume": "primary"}
-"""Of the buttons that are not ordinary."""
+"""Ranks of the buttons that are not ordinary."""
 
 
 def icon_colour(verb: str, theme: Theme) -> str:
@@ -113,15 +113,15 @@ def icon_colour(verb: str, theme: Theme) -> str:
 
 
 class ControlRow(QFrame):
-    """The bar at the bottom: what runs, the buttons at their fixed places, Stop apart from them.
+    """The bar at the bottom: running test, buttons at fixed positions, Stop apart from them.
 
-    Start and Resume share a place, since only one of them can apply.
+    Start and Resume share a position, since only one of them can apply.
     """
 
     start_wanted = Signal()
     answered = Signal()
     refused = Signal(bool)
-    """Whether the newest answer is a refusal, whose reason needs room."""
+    """Emitted with whether the newest answer is a refusal, whose reason needs room."""
 
     def __init__(self, send: Send, theme: Theme) -> None:
         super().__init__()
@@ -192,7 +192,7 @@ class ControlRow(QFrame):
         layout.setSpacing(STEP)
 
     def make_room(self, *, tight: bool) -> None:
-        """Leave out, in a tight window, what runs, the keys, and words that an icon replaces."""
+        """Hide in a tight window the running test, the keys, and texts replaced by an icon."""
         for spec in BUTTONS:
             words = "" if tight and spec.verb == "connect" else self._words(spec.text)
             self.buttons[spec.verb].setText(words if tight else f"{words}  {spec.key}")
@@ -205,7 +205,7 @@ class ControlRow(QFrame):
         self.start_place.updateGeometry()
 
     def lend_letters(self, lent: bool) -> None:
-        """Drop the access keys of the buttons while a guide needs them; the function keys stay."""
+        """Remove the access keys of the buttons while a guide needs them; function keys stay."""
         if lent is not self._lent:
             self._lent = lent
             self.make_room(tight=self._tight)
@@ -214,7 +214,7 @@ class ControlRow(QFrame):
         return tr(text).replace("&", "") if self._lent else tr(text)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         dress_part(
             self,
@@ -228,7 +228,7 @@ class ControlRow(QFrame):
         self._paint_answer()
 
     def show_status(self, status: Status | None, connection: ConnectionState) -> None:
-        """Enable what applies now; Stop is always allowed."""
+        """Enable the commands that apply now; Stop is always allowed."""
         self._state = status.engine.state if status is not None else None
         self._occupied = (
             occupied_text(status) if status is not None and status.engine.calibration else ""
@@ -245,34 +245,34 @@ class ControlRow(QFrame):
             self.buttons[command.verb].setToolTip(self._tip(command, applies, status))
 
     def show_selected(self, name: str) -> None:
-        """Set the name of the selected test, shown while no test is under way; empty: none."""
+        """Set the name of the selected test, shown while no test is running; empty: none."""
         self._armed = name
 
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
         if status is not None and status.engine.state not in ACTIVE and self._armed:
-            test = tr("{}, selected", self._armed)  # what Start begins, not what has ended
+            test = tr("{}, selected", self._armed)  # the test to start, not an ended one
         self.test.show_text(test)
         self.line.show_text(line)
-        # Pressing Start or Resume disables it: the other one may only come when it applies.
+        # Pressing Start or Resume disables it: the other one is shown only when it applies.
         paused = status is not None and status.engine.state is RunState.PAUSED
         self.start_place.setCurrentIndex(int(paused))
 
     def _applies(self, command: ButtonSpec, status: Status) -> bool:
-        """Tell whether a command applies now; the next step by the engine always does."""
+        """Return whether a command applies now; the engine's next step always does."""
         if status.recovery.verb == command.verb:
             return True
         in_the_way = command.verb == "start" and Remedy.RESET in status.recovery.left
         return status.engine.state in command.states and not in_the_way
 
     def act(self, verb: str) -> None:
-        """Do what the button of a verb does."""
+        """Perform the action of a verb's button."""
         if verb == "start":
             self.start_wanted.emit()
             return
         arguments: dict[str, Any] = {}
         if verb == "stop" and self._state in NOTHING_TURNS:
-            # It is sent all the same: a test may have begun since the newest status.
+            # Sent in any case: a test may have started since the newest status.
             arguments["reason"] = self.text.text().strip()
             self._send(verb, arguments, self._stopped_at_rest)
             return
@@ -286,7 +286,7 @@ class ControlRow(QFrame):
         self.send(verb, arguments)
 
     def send(self, verb: str, arguments: dict[str, Any]) -> None:
-        """Send a request and show the answer; add the text where a reason may be needed."""
+        """Send a request and show the answer; add the typed text where a reason may be needed."""
         if verb == "resume_file" and self.text.text().strip():
             arguments = {**arguments, "reason": self.text.text().strip()}
             self.text.clear()
@@ -319,12 +319,12 @@ class ControlRow(QFrame):
             self.show_answer("start: waiting for the devices …", good=True)
 
     def tell_occupied(self) -> None:
-        """Show why nothing turns the spindle while a calibration is open."""
+        """Show why the spindle cannot be started while a calibration is open."""
         if self._occupied:
             self.show_answer(self._occupied, good=False)
 
     def add_note(self) -> None:
-        """Send the text as a note of the log."""
+        """Send the text as a note for the log."""
         text = self.text.text().strip()
         if not text:
             self._to_text()
@@ -348,7 +348,7 @@ class ControlRow(QFrame):
         self.refused.emit(not good)
 
     def _show_answer(self) -> None:
-        """Show the answer, or its details in its place while their button is down."""
+        """Show the answer, or its details while their button is down."""
         self.answer.show_text(self._details if self.answer_more.isChecked() else self._answer)
 
     def _paint_answer(self) -> None:
@@ -366,7 +366,7 @@ class ControlRow(QFrame):
         self.show_answer(f"{stamp}  {text}{marked_details(reply.sentence)}", good=reply.ok)
 
     def _stopped_at_rest(self, reply: Reply) -> None:
-        """Show that nothing runs only where the engine answers so; show any other refusal."""
+        """Show that nothing runs where the engine answers so; show any other refusal."""
         if is_untimely(reply.sentence, Trigger.STOP):
             self.show_answer("Nothing is running, so there is nothing to stop.", good=True)
         else:
@@ -391,7 +391,7 @@ class ControlRow(QFrame):
             partial(self.act, spec.verb),
             spec.spoken,
             tip=f"{tr(spec.tip)} ({spec.key})",
-            # Stopping is always allowed, whoever has control.
+            # Stopping is always allowed, without control too.
             guarded=spec.verb != "stop",
             rank=RANKS.get(spec.verb, ""),
         )

@@ -1,4 +1,4 @@
-"""The state bar, legible from three metres and grey while all is normal; the message below it."""
+"""The state bar, legible from three metres and grey in normal state; the message line below it."""
 
 from __future__ import annotations
 
@@ -28,15 +28,17 @@ from rigapp.presentation.translation import Text, tr
 from rigapp.viewer.shown import MARKS, Level
 
 REFUSAL_S = 20.0
-"""For so long the reason of a refusal has half of the line; the full text is its tool tip."""
+"""Time for which the reason of a refusal has half of the line; its tool tip has the full text."""
 HEIGHT = 13 * STEP // 2
-"""Of the line: ``MESSAGE_LINES`` of text, as many as a cause and its remedy have at 1366 pixels."""
+"""Height of the line: ``MESSAGE_LINES`` of text, enough for a cause and its remedy at 1366
+pixels."""
 
 
 class MessageLine(QFrame):
-    """The line below the strip: statements and questions, the last answer, and the time.
+    """The line below the state bar: statements and questions, the last answer, and the time.
 
-    bars: the questions, then the notice; while a bar is shown the next ones and the answer wait.
+    bars: the questions, then the notice; while a bar is shown, later ones and the answer are
+    hidden.
     """
 
     def __init__(self, bars: tuple[Bar, ...], answer: QWidget, theme: Theme) -> None:
@@ -70,7 +72,7 @@ class MessageLine(QFrame):
         return super().eventFilter(watched, event)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         dress_part(
             self,
             theme,
@@ -85,13 +87,13 @@ class MessageLine(QFrame):
         self._row.setContentsMargins(0, 0, 0 if tight else MARGIN, 1)
 
     def give_room(self, *, refused: bool) -> None:
-        """Divide the line between message and answer: the reason of a refusal has half of it."""
+        """Divide the line between message and answer; the reason of a refusal gets half of it."""
         self._refused_at = time.monotonic() if refused else None
         for index, share in enumerate((1, 1) if refused else (5, 2)):
             self._shares.setStretch(index, share)
 
     def show_time(self) -> None:
-        """Show the time of day; give the room of an old refusal back to the message."""
+        """Show the time of day; return the room of an old refusal to the message."""
         if self._refused_at is not None and time.monotonic() - self._refused_at > REFUSAL_S:
             self.give_room(refused=False)
         now = dated("%a %d %b  %H:%M:%S", time.localtime())
@@ -100,7 +102,7 @@ class MessageLine(QFrame):
 
 
 BAR_HEIGHT = 5
-"""Of the bars in tiles, in pixels: thin, since the exact value is the number."""
+"""Height of the bars in tiles, pixels; thin, since the number shows the exact value."""
 
 
 class ShapeMark(QWidget):
@@ -154,7 +156,7 @@ POLYGONS: dict[StateShape, tuple[Points, ...]] = {
         ((0.56, 0.1), (0.66, 0.1), (0.44, 0.9), (0.34, 0.9)),
     ),
 }
-"""The shapes within the unit square, except the circle."""
+"""Shapes within the unit square, except the circle."""
 
 
 def paint_shape(painter: QPainter, shape: StateShape) -> None:
@@ -171,9 +173,9 @@ def paint_shape(painter: QPainter, shape: StateShape) -> None:
 
 @dataclass(frozen=True, slots=True)
 class TileSpec:
-    """One tile of the strip: its name in the headline, caption, size of the value, share.
+    """One tile of the state bar: name in the headline, caption, size of the value, share.
 
-    from_width: of a strip that has room for it. short: the caption in few words.
+    from_width: minimum width of a state bar that shows the tile. short: a shorter caption.
     """
 
     name: str
@@ -185,7 +187,7 @@ class TileSpec:
 
 
 class Tile(QFrame):
-    """Show a caption, a value, a bar where there is one, and one line below it."""
+    """Show a caption, a value, an optional bar, and one line below it."""
 
     def __init__(self, spec: TileSpec, theme: Theme) -> None:
         super().__init__()
@@ -209,7 +211,7 @@ class Tile(QFrame):
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self._show_look()
 
@@ -224,7 +226,7 @@ class Tile(QFrame):
         self.setAccessibleDescription(text.strip())
 
     def _show_look(self) -> None:
-        """Colour the tile by its level; an old value is grey, except on a colour."""
+        """Colour the tile by its level; an old value is grey, except on a coloured tile."""
         theme, (level, old) = self._theme, self._look
         colours: dict[int, tuple[str, str, str]] = {
             Level.NORMAL: (theme.base, theme.muted if old else theme.text, theme.muted),
@@ -256,16 +258,16 @@ TILES = (
     TileSpec("agreement", "Measured − model", VALUE_PT, 160, 840, "Δ model"),
     TileSpec("alarms", "Alarms", LARGE_PT, 184),
 )
-"""The tiles in their order; a share is the width in a window of 1440."""
+"""The tiles in order; a share is the width in a window of 1440 pixels."""
 
 STRIP_HEIGHT = 14 * STEP
 TIGHT_HEIGHT = 11 * STEP
 TIGHT_PT = 18.0
-"""Of the large values in a tight window, where they are still the largest."""
+"""Font size of the large values in a tight window, where they remain the largest."""
 
 
 class Header(QFrame):
-    """The tiles in one strip whose height never changes."""
+    """The state bar: tiles in a strip of constant height."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -286,7 +288,7 @@ class Header(QFrame):
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         dress_part(
             self,
             theme,
@@ -305,13 +307,13 @@ class Header(QFrame):
         self.shape.setFixedSize(*(2 * [int(0.6 * self.state.value.height())]))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the tiles for which there is no room."""
+        """Hide the tiles without room."""
         super().resizeEvent(event)
         for spec in TILES:
             self.tiles[spec.name].setVisible(self.width() >= spec.from_width)
 
     def show_headline(self, shown: Headline) -> None:
-        """Show a headline; what has not changed is not repainted."""
+        """Show a headline; unchanged parts are not repainted."""
         for name, tile in self.tiles.items():
             tile.show_field(getattr(shown, name))
         self.shape.show_shape(shown.shape, self.state.foreground)

@@ -1,4 +1,4 @@
-"""The texts of the header: pure functions of the engine's status and of the connection."""
+"""Texts of the header: pure functions of the engine's status and the connection."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from rigapp.viewer.shown import UNKNOWN_AGE, Age, Level, Renewed, age_of, aged, 
 
 
 class StateShape(enum.StrEnum):
-    """The shape drawn beside the state word, so that it is legible without colour."""
+    """Shape beside the state, which is legible without colour."""
 
     CIRCLE = marked("circle")
     TRIANGLE = marked("triangle")
@@ -43,9 +43,9 @@ class StateShape(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class TileText:
-    """One tile: a large value, one line below, how normal it is. short: the line in few words.
+    """One tile: a large value, a line below it, and its level. short: a shorter line.
 
-    old: the value is older than one that is shown as if it were of now.
+    old: the value is too old to be shown as current.
     """
 
     value: Text
@@ -57,7 +57,7 @@ class TileText:
 
 @dataclass(frozen=True, slots=True)
 class Headline:
-    """Everything that the header shows."""
+    """All contents of the header."""
 
     shape: StateShape
     state: TileText
@@ -75,7 +75,7 @@ class NewestMeasured:
     """Values of the newest revolutions: NaN where not known.
 
     force_max_N: largest |F| of the newest revolution, or of the one in which the test tripped;
-    force_sign: "≥ " where it went beyond the measuring range. overload_N: where the drive is
+    force_sign: "≥ " where it exceeded the measuring range. overload_N: force at which the drive is
     switched off.
     wear_um, wear_uncertainty_um: measured wear depth with its expanded uncertainty (k = 2).
     nearest: of the limits of the largest |F|. answered, turned, predicted: age of the engine's
@@ -102,12 +102,12 @@ _SHAPES: dict[RunState, StateShape] = {
     RunState.FAULT: StateShape.DIAMOND,
     RunState.CALIBRATING: StateShape.BARS,
 }
-"""States without a shape are transitions to another one."""
+"""Shapes of states; those without one are transitions."""
 _OUTCOME_SHAPES: dict[HowEnded, StateShape] = {
     HowEnded.COMPLETE: StateShape.CIRCLE,
     HowEnded.TRIPPED: StateShape.DIAMOND,
 }
-"""Of a test that has ended; the others have the shape of the state."""
+"""Shapes of ended tests by outcome; other outcomes have the shape of the state."""
 
 
 def headline(
@@ -119,7 +119,7 @@ def headline(
     *,
     replay: bool = False,
 ) -> Headline:
-    """Return what the header shows for a status (None: no answer of the engine yet)."""
+    """Return the contents of the header for a status (None: no answer of the engine yet)."""
     unknown = TileText("–")
     if status is None:
         state = TileText("Attaching", translate(connection_reason))
@@ -172,13 +172,13 @@ def _cycle(status: Status, now: float, connection: ConnectionState) -> TileText:
         return TileText("–", "no test")
     count = tr("{} of {}", grouped(test.revolution), grouped(test.planned))
     saved = tr("{} saved", grouped(test.committed))
-    # While the engine does not answer, the end of the test is not known.
+    # The end of the test is not known while the engine does not answer.
     end, when = _end(status, now) if connection is ConnectionState.ATTACHED else ("", "")
     return TileText(count, f"{saved}, {end}" if end else saved, short=when)
 
 
 def _end(status: Status, now: float) -> tuple[Text, Text]:
-    """Return when the test ends, in words and in few; while paused this is not known."""
+    """Return the expected end of the test as long and short text; unknown while paused."""
     test = status.test or NO_TEST
     if status.engine.state in (RunState.PAUSED, RunState.PAUSING) and not test.resting:
         return tr("the end waits"), "the end waits"
@@ -276,7 +276,7 @@ def measured(news: News) -> NewestMeasured:
 
 
 def rig_words(news: News) -> tuple[str, str]:
-    """Return the rig's name, and its kind where it is not real."""
+    """Return the rig's name, and its kind unless it is a real rig."""
     if news.status is None:
         return "", ""
     kind: Text = "REPLAY" if news.is_replay else "SIMULATED" if news.status.rig.simulated else ""
@@ -284,7 +284,7 @@ def rig_words(news: News) -> tuple[str, str]:
 
 
 def identity(status: Status) -> tuple[str, str]:
-    """Return what runs, in a line, and with which rig, speed, operator and file, in another."""
+    """Return a line with the running test, and one with rig, speed, operator and file."""
     test = status.test or NO_TEST
     parts = []
     if status.rig.simulated:

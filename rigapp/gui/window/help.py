@@ -1,4 +1,4 @@
-"""Help on F1: the guides with their pictures where they are installed; and the table of keys."""
+"""Help on F1: the guides with pictures where they are installed, and the table of keys."""
 
 from __future__ import annotations
 
@@ -64,35 +64,35 @@ KEYS: Final[tuple[tuple[Text, Text], ...]] = (
     (marked("Backspace in a plot"), "Show all again after a rectangle was drawn"),
     ("Esc", "Close the start bar or the help"),
 )
-"""Keys other than those of the buttons at the bottom, and what they do."""
+"""Keys other than those of the buttons at the bottom, and their actions."""
 
 
 def window_keys() -> tuple[tuple[Text, Text], ...]:
-    """Return each key of the window, and what it does."""
+    """Return each key of the window and its action."""
     commands = ((spec.key, f"{spec.spoken.rstrip('…')}: {tr(spec.tip)}") for spec in BUTTONS)
     return (*commands, *KEYS)
 
 
 def anchor_of(heading: str) -> str:
-    """Return the anchor of a heading, as the guides' site makes it."""
+    """Return the anchor of a heading as on the guides' site."""
     return re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-")
 
 
 class GuidePages(QTextBrowser):
-    """Show guides: their pictures fit the window, their links lead only to each other."""
+    """Show guides: pictures fit the window, only links between guides are followed."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setOpenLinks(False)
         self._loaded_for = 0
-        # Reload later: not while it is being laid out.
+        # Reload later, not during the layout.
         self._resized = QTimer(self, singleShot=True, interval=0)
         self._resized.timeout.connect(self._fit_pictures)
         self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
         self.anchorClicked.connect(self._follow)
 
     def loadResource(self, kind: int, name: QUrl | str) -> Any:
-        """Load a resource of a page; a picture that is too wide is scaled down."""
+        """Load a resource of a page; pictures that are too wide are scaled down."""
         resource = super().loadResource(kind, name)
         if kind != QTextDocument.ResourceType.ImageResource.value or not resource:
             return resource
@@ -105,7 +105,7 @@ class GuidePages(QTextBrowser):
         return picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Make the pictures as wide as there is room."""
+        """Fit the pictures to the new width."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self._resized.start()
@@ -123,18 +123,18 @@ class GuidePages(QTextBrowser):
         /,
         type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,
     ) -> None:
-        """Show a guide with wrapping examples."""
+        """Show a guide with wrapped examples."""
         self._loaded_for = self.viewport().width()
         super().doSetSource(name, type)
         self._wrap()
 
     def show_markdown(self, text: str) -> None:
-        """Show a text that is no file."""
+        """Show a text without a file."""
         self.setMarkdown(text)
         self._wrap()
 
     def _wrap(self) -> None:
-        """Let the lines of examples wrap, which Markdown does not allow."""
+        """Wrap the lines of examples, which Markdown does not allow."""
         cursor = QTextCursor(self.document())
         block = self.document().begin()
         while block.isValid():
@@ -146,7 +146,7 @@ class GuidePages(QTextBrowser):
             block = block.next()
 
     def _follow(self, link: QUrl) -> None:
-        """Go to another guide, or to a heading of this one; nowhere else."""
+        """Open another guide or a heading of this one; ignore other links."""
         target = self.source().resolved(link)
         path = Path(target.toLocalFile())
         if path.suffix == ".md" and path.is_file():
@@ -154,7 +154,7 @@ class GuidePages(QTextBrowser):
             self.show_heading(target.fragment())
 
     def show_heading(self, anchor: str) -> None:
-        """Bring a heading to the top, by the anchor that the guides' site gives it."""
+        """Scroll to a heading, by its anchor on the guides' site."""
         block = self.document().begin()
         while block.isValid():
             if block.blockFormat().headingLevel() and anchor_of(block.text()) == anchor:
@@ -165,7 +165,7 @@ class GuidePages(QTextBrowser):
 
 
 class HelpWindow(QWidget):
-    """Show the guides in a separate window, which never blocks the first one."""
+    """Show the guides in a separate, non-modal window."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Window)
@@ -187,7 +187,7 @@ class HelpWindow(QWidget):
         self.show_guide()
 
     def show_guide(self) -> None:
-        """Show the operator's guide, or that no guide is installed."""
+        """Show the operator's guide, or a message that no guide is installed."""
         try:
             path = guides_folder() / GUIDE
         except UnusableInput:
@@ -198,7 +198,7 @@ class HelpWindow(QWidget):
         self.browser.setSource(page, QTextDocument.ResourceType.MarkdownResource)
 
     def show_section(self, anchor: str) -> None:
-        """Show a section of the troubleshooting guide, or that no guide is installed."""
+        """Show a section of the troubleshooting guide, or a message that none is installed."""
         try:
             page = QUrl.fromLocalFile(str(guides_folder() / TROUBLESHOOTING))
         except UnusableInput:

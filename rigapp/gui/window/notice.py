@@ -1,4 +1,4 @@
-"""The bars of the message line: state and next step; questions before something ends."""
+"""Bars of the message line: state and next step; questions before an end."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from rigapp.viewer.connection import ConnectionState
 class NoticeBar(Bar):
     """Show the reason of a state and the next step, or that the engine does not answer.
 
-    A restart is shown until it is acknowledged, or until a test is under way again.
-    own_calibration: start time of the one that is open in this window, which its guide ends.
+    A restart is shown until it is acknowledged, or until a test is running again.
+    own_calibration: start time of the calibration open in this window, which its guide ends.
     """
 
     end_wanted = Signal()
@@ -44,12 +44,12 @@ class NoticeBar(Bar):
         self.lay_out((self.end, self.away))
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self._paint()
 
     def take_status(self, status: Status, *, replay: bool = False) -> None:
-        """Take the newest status; for a replay show that nothing moves."""
+        """Update to the newest status; for a replay show that nothing moves."""
         test = status.test or NO_TEST
         if replay:
             self.say(tr("{}: no rig is connected, no spindle turns.", translate(test.title)))
@@ -65,7 +65,7 @@ class NoticeBar(Bar):
         self._show()
 
     def take_connection(self, connection: ConnectionState, silence_s: float) -> None:
-        """Take the state of the connection: silence replaces an older notice."""
+        """Update to the state of the connection; silence replaces an older notice."""
         silent = silence_sentence(connection, silence_s, self._last)
         if silent != self._silent:
             self._silent = silent
@@ -117,7 +117,7 @@ def silence_sentence(connection: ConnectionState, silence_s: float, last: Status
 
 
 def restart_sentence(last: Status) -> str:
-    """Return the notice when another engine process answers than before."""
+    """Return the notice that another engine process answers than before."""
     if last.engine.state not in ACTIVE:
         return ""
     test = last.test or NO_TEST
@@ -135,7 +135,7 @@ def restart_sentence(last: Status) -> str:
 
 
 class CloseBar(Bar):
-    """Ask whether to leave the test running, to stop it first, or to stay."""
+    """Ask whether to leave the test running, to stop it first, or to keep the window open."""
 
     leave = Signal()
     stop_first = Signal()
@@ -159,7 +159,7 @@ class CloseBar(Bar):
         self.lay_out((keep, stop, self.stay))
 
     def ask(self) -> None:
-        """Show the question with the focus on staying."""
+        """Show the question with the focus on keeping the window open."""
         self.say("A test is running. It continues without this window.")
         self.show()
         self.stay.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -170,7 +170,7 @@ class CloseBar(Bar):
 
 
 class EndCalibrationBar(Bar):
-    """Show who calibrates what, ask whether the pin is free, and end exactly that calibration."""
+    """Show operator and type of a calibration, ask whether the pin is free, and end it."""
 
     wanted = Signal(str, dict)
 
@@ -189,7 +189,7 @@ class EndCalibrationBar(Bar):
         self.lay_out((self.keep, self.confirm))
 
     def ask(self, status: Status) -> None:
-        """Show the question with the focus on keeping it open."""
+        """Show the question with the focus on keeping the calibration open."""
         if status.engine.calibration is None:
             return
         self._since = status.engine.calibration.since
@@ -200,7 +200,7 @@ class EndCalibrationBar(Bar):
         self.keep.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def take_status(self, status: Status) -> None:
-        """Withdraw the question about a calibration that is over."""
+        """Withdraw the question when the calibration has ended."""
         running = status.engine.calibration
         if not self.isHidden() and (running is None or running.since != self._since):
             self.hide()

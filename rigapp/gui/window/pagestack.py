@@ -1,4 +1,4 @@
-"""The stack of the pages and of a guide (a calibration), which is shown in their place."""
+"""Stack of the pages and of a guide (a calibration) that replaces them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.presentation.tokens import Theme
 
 
 class PageStack(QStackedWidget):
-    """The pages of the places, and one guide that can be left for them and returned to."""
+    """The pages of the places, and one guide; either of them is shown."""
 
     def __init__(self, pages: QWidget) -> None:
         super().__init__()
@@ -29,28 +29,28 @@ class PageStack(QStackedWidget):
 
     @property
     def guiding(self) -> bool:
-        """Tell whether the guide is shown."""
+        """Return whether the guide is shown."""
         return self.currentIndex() == 1
 
     def take(self, guide: QWidget) -> None:
-        """Replace the guide by another one, without showing it; see ``dress_calls``."""
+        """Set another guide without showing it; see ``dress_calls``."""
         self._let_go()
         guide.setWindowFlags(Qt.WindowType.Widget)
         self._area.setWidget(guide)
 
     def guide(self, guide: QWidget) -> None:
-        """Show a taken guide in the place of the pages."""
+        """Show a guide set by ``take`` in place of the pages."""
         guide.show()
         self.setCurrentIndex(1)
         (guide.focusWidget() or guide).setFocus()
 
     def dress(self, theme: Theme) -> None:
-        """Put the guide in a theme at once."""
+        """Apply a theme to the guide immediately."""
         for call in self.dress_calls(theme):
             call()
 
     def dress_calls(self, theme: Theme) -> Iterator[Callable[[], object]]:
-        """Yield calls that put the guide in a theme, part by part; void after its end."""
+        """Yield calls that theme the guide part by part; they do nothing after its end."""
         guide = self._area.widget()
         if guide is None:
             return
@@ -75,5 +75,5 @@ class PageStack(QStackedWidget):
             guide.deleteLater()
 
     def show_pages(self) -> None:
-        """Show the pages; the guide continues unseen."""
+        """Show the pages; the guide continues hidden."""
         self.setCurrentIndex(0)

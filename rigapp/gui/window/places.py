@@ -1,4 +1,4 @@
-"""The four places of the window: a rail to choose one, and the pages of the chosen one."""
+"""The four places of the window: a navigation rail, and the pages of the selected place."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PAGE_BAR_HEIGHT = 6 * STEP
 
 
 class RailPlace(enum.StrEnum):
-    """The places, by the text of the rail."""
+    """The places, with their texts in the rail."""
 
     WATCH = marked("Watch")
     PREPARE = marked("Prepare")
@@ -52,7 +52,7 @@ ICONS = {
 
 
 class Rail(QFrame):
-    """Buttons of the places; above them the rig and whether it is real, below settings and help."""
+    """Buttons of the places; above them the name and kind of the rig, below settings and help."""
 
     chosen = Signal(RailPlace)
 
@@ -93,7 +93,7 @@ class Rail(QFrame):
             item.setFixedHeight(TIGHT_ITEM_HEIGHT if tight else ITEM_HEIGHT)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         dress_part(
             self,
             theme,
@@ -121,7 +121,7 @@ class Rail(QFrame):
             item.setIcon(icon(ICONS[place], chosen))
 
     def show_place(self, place: RailPlace) -> None:
-        """Mark the place that is shown; the focus follows."""
+        """Mark the shown place and move the focus to it."""
         if any(item.hasFocus() for item in self.buttons.values()):
             self.buttons[place].setFocus()
         if not self.buttons[place].isChecked():
@@ -134,7 +134,7 @@ class Rail(QFrame):
             item.setVisible(place in places)
 
     def show_rig(self, rig: str, kind: str) -> None:
-        """Show the rig's name, and what it is: SIMULATED, REPLAY, or nothing for a real one."""
+        """Show the rig's name and kind: SIMULATED, REPLAY, or empty for a real one."""
         for label, text in ((self.rig, rig), (self.kind, kind)):
             if label.toolTip() != text:
                 label.setText(text.replace("-", "\N{NON-BREAKING HYPHEN}"))
@@ -158,7 +158,7 @@ class Rail(QFrame):
 
 @dataclass(frozen=True, slots=True)
 class PageName:
-    """A page: its index among all, title and key."""
+    """A page: its index among all pages, title and key."""
 
     number: int
     title: Text
@@ -166,10 +166,10 @@ class PageName:
 
 
 class PageBar(QWidget):
-    """The pages of a place side by side, and at the right further actions there.
+    """The pages of a place side by side, and further actions on the right.
 
-    Its height is the same where a place has one page: nothing below it moves. Where there is no
-    room for all buttons, it has a list to choose from.
+    Its height is the same for a place with one page, so that nothing below it moves. Where there is
+    no room for all buttons, it has a drop-down list.
     """
 
     chosen = Signal(int)
@@ -192,14 +192,14 @@ class PageBar(QWidget):
         layout.setSpacing(GAP)
 
     def show_pages(self, place: RailPlace, pages: Sequence[PageName], now: int) -> None:
-        """Show the pages of a place, and which one is open, -1 for none."""
+        """Show the pages of a place; now: index of the open one, -1 for none."""
         if (place, tuple(pages), now) == self._seen:
             return
         self._seen = place, tuple(pages), now
         if tuple(pages) != self._shown:
             self._shown = tuple(pages)
             for page_button in self.buttons.values():
-                # At once: the window would grow for both rows together.
+                # Immediately, else the window would grow for both rows together.
                 self._row.removeWidget(page_button)
                 page_button.hide()
                 page_button.deleteLater()

@@ -1,4 +1,4 @@
-"""The recovery from a fault in one panel: what happened, the steps, and one button for the next.
+"""Panel for the recovery from a fault: cause, steps, and one button for the next step.
 
 The engine determines the next step (``engine.views``); the panel only shows and requests it.
 """
@@ -27,7 +27,7 @@ STEPS: Final[dict[Remedy, Text]] = {
     Remedy.RESET: "Reset",
     Remedy.RESUME: "Resume",
 }
-"""The steps in their order, as the panel names them."""
+"""The steps in order, with their names in the panel."""
 
 BUTTONS: Final[dict[str, Text]] = {
     "connect": "Connect the devices",
@@ -37,25 +37,25 @@ BUTTONS: Final[dict[str, Text]] = {
     "resume_file": "Resume the test",
     "start": "Start a test…",
 }
-"""Text of the button for the request that does the step."""
+"""Text of the button for the request of each step."""
 
 BUTTON_PLACE: Final = 2
-"""Of the button on the panel, below the sentence of the next step: both come before the steps and
-the cause, so that they are visible in every window."""
+"""Position of the button in the panel, below the sentence of the next step: both are above the
+steps and the cause, so that they are visible in every window."""
 
 UNDER_WAY: Final = ACTIVE - {RunState.STOPPING}
-"""States in which nothing has to be recovered."""
+"""States that need no recovery."""
 
 
 def needs_recovery(status: Status) -> bool:
-    """Tell whether something prevents the next start."""
+    """Return whether a fault prevents the next start."""
     if status.engine.state in ACTIVE or status.engine.state is RunState.CONNECTING:
         return False
     return status.engine.state is RunState.FAULT or _worst(status) is not None
 
 
 def _worst(status: Status) -> Alarm | None:
-    """Return the critical alarm of the next step, or the first one."""
+    """Return the critical alarm of the next step, or the first critical alarm."""
     critical = [alarm for alarm in status.alarms if alarm.severity is Severity.CRITICAL]
     wanted = status.recovery.cause
     return min(
@@ -66,7 +66,7 @@ def _worst(status: Status) -> Alarm | None:
 
 
 class RecoverPanel(QFrame):
-    """Guide from a fault back to a test; hidden while there is nothing to recover from."""
+    """Guide through the recovery from a fault; hidden while there is none."""
 
     wanted = Signal(str, dict)
     start_wanted = Signal()
@@ -107,12 +107,12 @@ class RecoverPanel(QFrame):
         self._show()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self._show()
 
     def take_status(self, status: Status | None) -> None:
-        """Take the newest status; open for a recovery, close when a test runs."""
+        """Update to the newest status; open for a recovery, close when a test runs."""
         before, self._status = self._status, status
         changed = before is None or status is None or _situation(before) != _situation(status)
         if changed:
@@ -127,12 +127,12 @@ class RecoverPanel(QFrame):
             self._show()
 
     def answered(self) -> None:
-        """Enable the button again: a request was answered."""
+        """Enable the button again after the answer to a request."""
         self._requested = False
         self._show()
 
     def press(self) -> None:
-        """Do the next step, by its key, on any page."""
+        """Perform the next step by its key, on any page."""
         self.button.click()
 
     def act(self) -> None:

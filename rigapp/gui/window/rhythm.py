@@ -1,4 +1,4 @@
-"""How often the window polls for news and draws: often in a test, rarely while it is idle."""
+"""Periods of polling and drawing: short in a test, long while idle."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
 
 @dataclass(frozen=True, slots=True)
 class Rhythm:
-    """Periods of polling for news, of parts of the slow drawing, and of beats for stalls."""
+    """Periods of polling for news, of parts of the slow drawing, and of the watchdog's beats."""
 
     look_ms: int
     part_ms: int
@@ -21,19 +21,20 @@ class Rhythm:
 
 
 IN_TEST = Rhythm(10, 25, PERIOD_S)
-"""A revolution shall be on the screen 70 ms after its end."""
+"""Rhythm in a test: a revolution must be on the screen 70 ms after its end."""
 
 IDLE = Rhythm(250, 100, IDLE_PERIOD_S)
-"""A window that waits shall cost next to nothing."""
+"""Rhythm while idle, which uses little processor time."""
 
 STATE_EVERY = 10
-"""Polls between two updates of the state bar without news: its ages grow all the same."""
+"""Number of polls between two updates of the state bar without news, since its ages increase."""
 
 FAST_EVERY = 4
-"""Parts of the slow drawing between two drawings of the newest revolution, for choices there."""
+"""Number of parts of the slow drawing between two drawings of the newest revolution, so that
+selections there take effect."""
 
 SLOW_EVERY = 20
-"""Parts of the drawing of trends and tables: in a test each is drawn twice a second."""
+"""Number of parts of the drawing of trends and tables: in a test each is drawn twice a second."""
 
 
 class Pulse:

@@ -1,4 +1,4 @@
-"""Distribution of a window's room: pages, newest values, and the recovery from a fault."""
+"""Layout of the window: pages, newest values, and the recovery from a fault."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from rigapp.gui.window.tabs import Tabs
 from rigapp.presentation.tokens import GAP, MARGIN, STEP, TIGHT_HEIGHT, TIGHT_WIDTH
 
 BESIDE = frozenset({RailPlace.WATCH, RailPlace.RIG})
-"""Places with newest values and the recovery beside them; the others need the width."""
+"""Places with newest values and recovery beside the pages; the others need the width."""
 
 NARROW_WIDTH = 800
-"""A narrower window shows the recovery in the place of the pages."""
+"""Width below which the recovery replaces the pages."""
 
 BESIDE_PAGES, OF_PAGES = (0, 1, 2, 1), (1, 0, 1, 1)
-"""Row, column and how many of each, of the side column beside the pages and in their place."""
+"""Row, column and their spans for the side column, beside the pages and in place of them."""
 
 
 class TightBar(Protocol):
-    """A part of the shell that takes less room in a tight window."""
+    """A part of the window that needs less room when this is tight."""
 
     def make_room(self, *, tight: bool) -> None:
-        """Take less room, or all of it."""
+        """Switch between reduced and normal size."""
         ...
 
 
@@ -61,7 +61,7 @@ class PageRoom:
         content.setVerticalSpacing(2)
 
     def fit(self) -> None:
-        """Fit the shell to the size of the window."""
+        """Fit the layout to the size of the window."""
         width, height = self._window.width(), self._window.height()
         tight = width < TIGHT_WIDTH or height < TIGHT_HEIGHT
         self._side.make_room(width, tight=tight, alone=self._narrow)
@@ -72,7 +72,7 @@ class PageRoom:
         self.show_side()
 
     def show_side(self) -> None:
-        """Show newest values and the recovery where they have room."""
+        """Show newest values and the recovery where there is room."""
         width, height = self._window.width(), self._window.height()
         guiding = self._stage.guiding
         self._page_bar.setVisible(not (guiding and height < TIGHT_HEIGHT))
@@ -96,7 +96,7 @@ class PageRoom:
                 part.setVisible(seen)
 
     def pass_by(self) -> None:
-        """Show the pages in a window too narrow for pages and recovery."""
+        """Show the pages in a window that is too narrow for pages and recovery."""
         self._passed_by = True
         self.show_side()
 

@@ -1,7 +1,7 @@
-"""Prove at start that the GUI library counts its references right.
+"""Check at start that the GUI library counts references correctly.
 
 Some builds of PySide6 drop a reference to ``None`` at every paint call; the process then aborts
-without a Python exception after some hundred repaints. A build that does this must not run a test.
+without a Python exception after some hundred repaints. Such a build must not run a test.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication, QGraphicsRectItem
 
 CALLS = 1000  # some milliseconds of painting
-ALLOWED = 50  # other threads move the count of None a little; a fault moves it by CALLS
+ALLOWED = 50  # other threads change the count of None slightly; a fault changes it by CALLS
 
 BAD_VERSIONS = {
     "6.9.1": "cannot be used with pyqtgraph",
@@ -35,9 +35,9 @@ BAD_VERSIONS = {
 
 
 def run_self_test() -> list[str]:
-    """Return the problems found, one plain sentence each; an empty list is a pass.
+    """Return the problems found, one sentence each; an empty list is a pass.
 
-    Takes some milliseconds. Makes an application object when there is none.
+    Takes some milliseconds. Creates an application object when there is none.
     """
     problems = []
     version = PySide6.__version__
@@ -61,7 +61,7 @@ _keep: list[QApplication] = []
 
 
 def reference_drifts(count: Callable[[], int] | None = None) -> dict[str, int]:
-    """Return for each common paint call how 1000 calls change the reference count of None."""
+    """Return the change of the reference count of None by 1000 calls of each common paint call."""
     counted = count or (lambda: sys.getrefcount(None))
     image = QImage(64, 64, QImage.Format.Format_ARGB32_Premultiplied)
     image.fill(QColor("white"))

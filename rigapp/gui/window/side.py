@@ -1,4 +1,4 @@
-"""The column at the right: newest values, connection, limits, or the recovery."""
+"""The column on the right: newest values, connection, limits, or the recovery."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ MOST = 8
 
 
 def connection_steps(news: News) -> list[ShownStep]:
-    """Return the steps to a rig that is ready, in their order; the first pending one is next."""
+    """Return the steps until the rig is ready, in order; the first pending one is next."""
     status = news.status
     if status is None:
         looking = marked("searching for it, or starting it")
@@ -70,7 +70,7 @@ def _marked(steps: Sequence[ShownStep]) -> list[ShownStep]:
 
 
 class ConnectingCard(QFrame):
-    """Show the steps in the place of the limits, which do not matter before a test."""
+    """Show the steps in place of the limits, which are irrelevant before a test."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -86,12 +86,12 @@ class ConnectingCard(QFrame):
         column(self.title, self.bar, *self.rows, on=self, margins=(MARGIN, GAP), spacing=STEP)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self._show()
 
     def show_news(self, news: News) -> None:
-        """Show how far the connection is."""
+        """Show the progress of the connection."""
         self._steps = connection_steps(news)
         self._show()
 
@@ -111,22 +111,22 @@ class ConnectingCard(QFrame):
 WIDTH = 42 * STEP
 NARROW_WIDTH = 39 * STEP
 MOST_WIDTH = 16_777_215
-"""No maximum."""
+"""Qt's value for no maximum width."""
 NARROW_WINDOW = 1440
-"""A narrower window has the narrow column."""
+"""Window width below which the column is narrow."""
 
 MOST_MARGINS = 8
-"""Limits that are listed; their page has all of them."""
+"""Maximum number of listed limits; their page has all of them."""
 
 
 SHORT_NAME = 9
-"""Characters of the name of a value whose age has no room beside it."""
+"""Number of characters of a value's name that leave room for its age."""
 
 TICK = 0.9
-"""Place of the limit in a bar's width: there is room beyond it for a value that has passed it."""
+"""Position of the limit in the bar's width, with room beyond it for a value above the limit."""
 
 WIDE = dict.fromkeys((COEFFICIENT, REMAINING)).keys()
-"""Values whose words need the whole width, in their order."""
+"""Values whose texts need the whole width, in order."""
 
 
 LIVE: tuple[tuple[str, Text], ...] = (
@@ -135,7 +135,7 @@ LIVE: tuple[tuple[str, Text], ...] = (
     ("speed", "Speed"),
     ("age", "Data age"),
 )
-"""Values that every rig has, with their captions."""
+"""Values of every rig, with their captions."""
 
 
 class Value(QWidget):
@@ -154,16 +154,16 @@ class Value(QWidget):
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         level, old = self._look
         self.value.setStyleSheet(f"color: {theme.muted if old else theme.ink(level)};")
         self.caption.setStyleSheet(f"color: {theme.muted};")
 
     def show_field(self, field: TileText) -> None:
-        """Show a value; its line, where there is one, is beside the caption."""
+        """Show a value, with its optional line beside the caption."""
         detail = tr(field.detail)
-        # The age stays whole where there is no room for the name.
+        # Where there is no room, the name is cut rather than the age.
         short = f"{self._name[:SHORT_NAME].rstrip()}…, {tr(field.short)}" if field.short else ""
         self.caption.show_text(f"{self._name}, {detail}" if detail else self._name, short)
         self.value.show_text(f"{MARKS[Level(field.level)]}{tr(field.value)}")
@@ -190,13 +190,13 @@ class LiveCard(QFrame):
         self._place()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         for value in (*self.values.values(), *self.free.values()):
             value.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show what is newest."""
+        """Show the newest values."""
         status, rows = news.status, news.data.rows
         views = {view.name: view for view in status.rig.channels} if status is not None else {}
         parts = [views[name].value for name in ("force_1", "force_2") if name in views]
@@ -242,7 +242,7 @@ class LiveCard(QFrame):
 
 
 class MarginBar(QProgressBar):
-    """A bar that fills towards a tick, the limit, and beyond it once the limit is passed."""
+    """A bar that fills towards a tick at the limit, and beyond it when the limit is exceeded."""
 
     def __init__(self, name: str, theme: Theme) -> None:
         super().__init__()
@@ -253,7 +253,7 @@ class MarginBar(QProgressBar):
         self.setFixedHeight(STEP)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint track, way and tick."""
+        """Paint track, filled part and tick."""
         theme, painter = self.theme, QPainter(self)
         tick = round(TICK * self.width())
         share = 1.0 if self.passed else TICK * self.value() / self.maximum()
@@ -265,7 +265,7 @@ class MarginBar(QProgressBar):
 
 
 class MarginRow(QWidget):
-    """A limit: quantity, value and limit in words, and a bar with a tick at the limit."""
+    """A limit: quantity, value and limit as text, and a bar with a tick at the limit."""
 
     def __init__(self, number: int, theme: Theme) -> None:
         super().__init__()
@@ -280,7 +280,7 @@ class MarginRow(QWidget):
         self.dress(theme)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         level, passed, old = self._look
         ink = theme.muted if old else theme.ink(level, theme.secondary)
@@ -302,7 +302,7 @@ class MarginRow(QWidget):
 
 
 class LimitsCard(QFrame):
-    """The limits by which the newest revolution was evaluated."""
+    """The limits for the newest revolution."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -317,7 +317,7 @@ class LimitsCard(QFrame):
             row.hide()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         for row in self.rows:
             row.dress(theme)
 
@@ -335,10 +335,10 @@ class LimitsCard(QFrame):
 
 
 class SideColumn(QScrollArea):
-    """The cards; a fault takes the place of the limits, and nothing else moves.
+    """The cards; the recovery replaces the limits, and nothing else moves.
 
-    The window updates it together with the strip above, since its ages grow; as a panel it only
-    requires that the log is followed, for changed limits.
+    The window updates it together with the state bar, since its ages increase; as a panel it only
+    requires the log, for changed limits.
     """
 
     takes = Takes.LOG
@@ -362,9 +362,9 @@ class SideColumn(QScrollArea):
         self.make_room(NARROW_WINDOW, tight=False)
 
     def make_room(self, width: int, *, tight: bool, alone: bool = False) -> None:
-        """Fit the column to the width of the window; a tight one has no newest values.
+        """Fit the column to the width of the window; a tight one shows no newest values.
 
-        alone: the column has the whole width, since no page is beside it.
+        alone: the column has the whole width, without a page beside it.
         """
         beside = WIDTH if width >= NARROW_WINDOW else NARROW_WIDTH
         self.setMinimumWidth(0 if alone else beside)
@@ -372,12 +372,12 @@ class SideColumn(QScrollArea):
         self.live.setVisible(not tight)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         for card in (self.live, self.limits, self.connecting, self.recover):
             card.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show what is newest; in place of limits the recovery, before a test the connection."""
+        """Show the newest values with the limits, the recovery or, before a test, the connection."""
         self.live.show_news(news)
         if news.status is not None:
             self.alarms.show_alarms(news.status.alarms, recorded=news.is_replay)

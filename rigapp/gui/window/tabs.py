@@ -1,6 +1,6 @@
-"""The tabs of the window, as one table; a page is made when it is first wanted.
+"""The tabs of the window as one table; a page is made when it is first needed.
 
-Each panel draws only while it can be seen.
+Each panel draws only while it is visible.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def _simulated(news: News) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Tab:
-    """One tab: its name, title, key and place, maker of its page, and when it is shown.
+    """One tab: name, title, key, place, function that makes its page, and condition for showing it.
 
     Which news a page takes is stated by its panels (``Panel.takes``).
     """
@@ -99,10 +99,10 @@ NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 
 
 class Tabs(QTabWidget):
-    """Own every page; ``panels`` are the panels on them, by name.
+    """Hold all pages; ``panels`` are the panels on them, by name.
 
-    A page is made when it or a panel of it is needed, and all of them once the window is on the
-    screen (``make_all``): the window appears in less than half the time.
+    A page is made when it or a panel of it is needed, and the rest when the window is on the screen
+    (``make_all``): the window then appears in less than half the time.
 
     Signals: ``made`` a page, ``wanted`` a request to the engine, ``reported`` a sentence,
     ``requested`` an action of the window, ``help_wanted`` a section of docs/troubleshooting.md.
@@ -160,12 +160,12 @@ class Tabs(QTabWidget):
         self.currentChanged.connect(self._changed)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Make the page that is visible first."""
+        """Make the first visible page."""
         self._make(self.currentIndex())
         super().showEvent(event)
 
     def make_all(self, *, at_once: bool = False) -> None:
-        """Make the remaining pages, each in its own turn of the event loop."""
+        """Make the remaining pages, each in a separate turn of the event loop."""
         calls = [partial(self._make, number) for number in self._unmade]
         if at_once:
             for call in calls:
@@ -190,8 +190,8 @@ class Tabs(QTabWidget):
         page.setAutoFillBackground(True)
         area, chain = self._area(number), _tab_chain(page)
         area.setWidget(page)
-        # Else Tab visits a late page after everything else; Qt inserts nothing after a widget that
-        # takes no focus, so the area takes it for this moment.
+        # Else Tab visits a later page after all others. Qt inserts nothing after a widget without
+        # focus policy, so the area gets one temporarily.
         area.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         follow_in_tab_order(area, *chain)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -212,7 +212,7 @@ class Tabs(QTabWidget):
         self.made.emit(area)
 
     def close_pages(self) -> None:
-        """End the processes of pages: the page for browsers, a study."""
+        """End the processes of pages: live page, study."""
         if "settings" in self.panels:
             self.settings.live.close_page()
         if "studies" in self.panels:
@@ -220,11 +220,11 @@ class Tabs(QTabWidget):
 
     @property
     def splitters(self) -> list[QSplitter]:
-        """Return the splitters whose positions are stored, of the pages made so far."""
+        """Return the splitters with stored positions on the pages made so far."""
         return [splitter for splitter in self.findChildren(QSplitter) if splitter.objectName()]
 
     def restore_layout(self, settings: QSettings) -> None:
-        """Restore the divisions of pages; those of later pages when they are made."""
+        """Restore the splitters of pages; those of later pages when they are made."""
         self._layout = settings
         self._restore(self)
 
@@ -252,13 +252,13 @@ class Tabs(QTabWidget):
 
     @property
     def own(self) -> OwnPage:
-        """Return the page that the operator arranges."""
+        """Return the page arranged by the operator."""
         panel = self.panels["own"]
         assert isinstance(panel, OwnPage)
         return panel
 
     def take_selected(self) -> None:
-        """Show the operator's page of the open test file, unless a test has one."""
+        """Show the operator's page of the open test file, unless the shown test has one."""
         if "own" not in self.panels:
             return
         selected = self.prepare.recipe.selected
@@ -274,11 +274,11 @@ class Tabs(QTabWidget):
 
     @property
     def place(self) -> RailPlace:
-        """Return the place that is shown."""
+        """Return the shown place."""
         return TABS[self.currentIndex()].place
 
     def pages(self) -> list[PageName]:
-        """Return the pages of the place that is shown."""
+        """Return the pages of the shown place."""
         return [
             PageName(number, tab.title, tab.key)
             for number, tab in enumerate(TABS)
@@ -290,15 +290,15 @@ class Tabs(QTabWidget):
         return {tab.place for number, tab in enumerate(TABS) if self.isTabVisible(number)}
 
     def show_place(self, place: RailPlace) -> None:
-        """Go to the last visited page of a place, at first its first one."""
+        """Open the last visited page of a place, initially its first page."""
         self._go_to(self._last_page[place])
 
     def show_page(self, name: str) -> None:
-        """Go to a page by its name."""
+        """Open a page by its name."""
         self._go_to(NUMBERS[name])
 
     def dress_calls(self, theme: Theme) -> list[Callable[[], object]]:
-        """Return calls that put the pages in a theme, part by part, visible ones first."""
+        """Return calls that theme the pages part by part, visible ones first."""
         self._theme = theme
         parts = [part for number in range(self.count()) for part in self._parts(number)]
         dressed = [panel for panel in self.panels.values() if isinstance(panel, Themed)]
@@ -319,7 +319,7 @@ class Tabs(QTabWidget):
         return area
 
     def take(self, news: News) -> None:
-        """Take a new status, for visible and hidden panels."""
+        """Update visible and hidden panels to a new status."""
         before, self._news = self._news, news
         for panel in list(self.panels.values()):
             if Takes.STATUS in panel.takes:
@@ -333,7 +333,7 @@ class Tabs(QTabWidget):
             panel.show_news(news)
 
     def draw_slow(self, news: News, part: int = 0, parts: int = 1) -> None:
-        """Draw trends, tables and lists where they are visible; one of so many parts of them."""
+        """Draw one of ``parts`` parts of the visible trends, tables and lists."""
         self._news = news
         if part == 0 and any(self._seen(Takes.LOG)):
             self._test.follow_log()
@@ -354,7 +354,7 @@ class Tabs(QTabWidget):
                 self.setTabVisible(number, tab.shown(self._news))
 
     def _lead(self, before: News, news: News) -> None:
-        """Leave a page that has become idle for that of the next step."""
+        """Switch from a page that is no longer needed to that of the next step."""
         was, now = before.status, news.status
         page = TABS[self.currentIndex()].name
         if page in ("start", "result") and not TABS[self.currentIndex()].shown(news):
@@ -381,7 +381,7 @@ class Tabs(QTabWidget):
 
 
 def _tab_chain(page: QWidget) -> list[QWidget]:
-    """Return what the key Tab visits on a separate page, in its order."""
+    """Return the widgets of a separate page in tab order."""
     chain: list[QWidget] = []
     widget = page.nextInFocusChain()
     while widget is not None and widget is not page:
@@ -392,9 +392,9 @@ def _tab_chain(page: QWidget) -> list[QWidget]:
 
 
 def _scrolling(tab: Tab) -> QScrollArea:
-    """Return the room of a page, which scrolls on a small screen; state and buttons stay."""
+    """Return the scroll area of a page; state bar and buttons do not scroll."""
     area = named(QScrollArea(), f"page_{tab.name}", tab.title)
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
-    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to what has the focus
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to the focused widget
     return area

@@ -1,4 +1,4 @@
-"""Monitor the event loop: count noticeable stalls, log them once a minute."""
+"""Monitor the event loop: count noticeable stalls and log them once a minute."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ STALL_S = 0.050  # a shorter pause is not noticed
 PERIOD_S = 0.020  # less than half of a stall
 IDLE_PERIOD_S = 0.100  # without a test: each beat wakes the processor
 AGAIN_AFTER_S = 60.0
-"""Between two lines in the log, which sum up the stalls."""
+"""Minimum time between two log lines, which sum up the stalls."""
 
 
 class Watchdog(QObject):
-    """Beat 50 times a second on the screen's thread and note how late a beat comes."""
+    """Beat 50 times a second on the GUI thread and measure the delay of each beat."""
 
     def __init__(
         self,
@@ -27,7 +27,7 @@ class Watchdog(QObject):
         clock: Callable[[], float] = time.perf_counter,
         own_clock: Callable[[], float] = time.thread_time,
     ) -> None:
-        """Make a watchdog; own_clock: processor time of the screen's thread."""
+        """Make a watchdog; own_clock: processor time of the GUI thread."""
         super().__init__(parent)
         self._clock = clock
         self._own_clock = own_clock
@@ -43,12 +43,12 @@ class Watchdog(QObject):
         self.beat_every(PERIOD_S)
 
     def beat_every(self, period_s: float) -> None:
-        """Beat once in so many seconds; a stall is what comes on top of them."""
+        """Set the period of beats; a stall is the additional delay."""
         self._period_s, self._last = period_s, None
         self._timer.setInterval(int(1000 * period_s))
 
     def start(self) -> None:
-        """Begin to monitor."""
+        """Start monitoring."""
         self._last = None
         self._timer.start()
 
@@ -58,7 +58,7 @@ class Watchdog(QObject):
         self._log()
 
     def beat(self) -> None:
-        """Note one beat."""
+        """Record one beat."""
         now, own = self._clock(), self._own_clock()
         if self._last is not None:
             stall = now - self._last - self._period_s

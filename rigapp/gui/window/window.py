@@ -1,4 +1,4 @@
-"""The operator's window: state bar, controls, tabs; one timer pulls, nothing is pushed."""
+"""The operator's window: state bar, controls, tabs; one timer polls, nothing is pushed."""
 
 from __future__ import annotations
 
@@ -63,17 +63,17 @@ ACKNOWLEDGE_KEY = "F7"
 PROGRAM = "rigapp"
 
 WINDOW = (1440, 900)
-"""Of the window where the screen has the room."""
+"""Size of the window on a sufficiently large screen."""
 
 LEAST = (640, 360)
-"""Of the window: a screen of 1366 x 768 at 200 %, with the frame around it."""
+"""Minimum size of the window: a screen of 1366 x 768 at 200 %, less the frame."""
 
 FRAME_HEIGHT = 40
-"""Room for the frame that the window manager puts around a window."""
+"""Height reserved for the window manager's frame."""
 
 
 class MainWindow(QMainWindow):
-    """Show one engine. Everything slow happens on the workers of connection and test."""
+    """Show one engine; slow operations run on the workers of connection and test."""
 
     def __init__(
         self,
@@ -88,14 +88,14 @@ class MainWindow(QMainWindow):
         settings: QSettings | None = None,
         again: Sequence[str] = (),
     ) -> None:
-        """Make it; again: the command that opens one like it."""
+        """Make the window; again: the command that opens a window like it."""
         super().__init__()
         self._connection = connection
         self._test = test
         self._settings, self._again = settings, tuple(again)
         self.preferences = preferences or Preferences(settings)
         self._reader = TaskWorker("gui-files", bound=32)
-        # Its computations take seconds: files are not read behind them.
+        # A separate worker, since its computations take seconds and would delay reading files.
         self._identifier = TaskWorker("gui-wear", bound=4)
         self._looks = 0
         self._part = 0
@@ -155,15 +155,15 @@ class MainWindow(QMainWindow):
         self._restore_layout()
 
     def show_first_page(self) -> None:
-        """Go to the first page: before the window is shown no other is made."""
-        if not self._rig_file:  # a recorded test, whatever page was seen last
+        """Open the first page, the only one made before the window is shown."""
+        if not self._rig_file:  # a recorded test, whichever page was shown last
             self.tabs.show_page("overview")
         elif self.tabs.place is RailPlace.WATCH and self._start_wanted is None:
             self.tabs.show_page("start")
 
     @property
     def start_bar(self) -> StartBar:
-        """Return the card of a start, made on first access, as is the page of its test."""
+        """Return the start card, made on first access like the page of its test."""
         if self._start_bar is not None:
             return self._start_bar
         bar = self._start_bar = StartBar(
@@ -179,14 +179,14 @@ class MainWindow(QMainWindow):
         return bar
 
     def _show_occupied(self) -> None:
-        """Show on the card of a start that a calibration occupies the rig."""
+        """Show on the start card that a calibration occupies the rig."""
         status = self._connection.status
         if self._start_bar is not None and status is not None:
             running = status.engine.calibration
             self._start_bar.show_occupied(occupied_text(status) if running is not None else "")
 
     def _take_page(self, area: QWidget) -> None:
-        """Prepare a page that was made: open the test file in the form."""
+        """Prepare a newly made page: open the test file in the form."""
         self._forbid_buttons(area)
         if area.objectName() != "page_prepare":
             return
@@ -201,18 +201,18 @@ class MainWindow(QMainWindow):
         self.tabs.take_selected()
 
     def start(self) -> None:
-        """Begin to pull; called when the window is on the screen."""
+        """Start polling; called when the window is on the screen."""
         self.show_first_page()
         self.pulse.start()
         self.tabs.make_all()
 
     def tick(self) -> None:
-        """Pull what is new and draw what is visible."""
+        """Poll for news and draw all visible parts."""
         self._look()
         self._draw_part()
 
     def _look(self) -> None:
-        """Pull what is new; draw the newest revolution and the state."""
+        """Poll for news; draw the newest revolution and the state."""
         self._looks += 1
         self._test.deliver()
         self._reader.deliver()
@@ -259,7 +259,7 @@ class MainWindow(QMainWindow):
         self._close_when_stopped()
 
     def _frame_replay(self, replay: bool) -> None:
-        """Put a frame around a replay, and its own bar in the place of the commands."""
+        """Show a frame around a replay, and its bar in place of the commands."""
         if replay is not self.replay_bar.isHidden():
             return
         self.replay_bar.setVisible(replay)
@@ -272,7 +272,7 @@ class MainWindow(QMainWindow):
 
     @property
     def news(self) -> News:
-        """Return what is known now."""
+        """Return the present news."""
         test, connection = self._test, self._connection
         return News(
             connection.status,
@@ -289,16 +289,16 @@ class MainWindow(QMainWindow):
 
     @property
     def settled(self) -> bool:
-        """Tell whether the engine has answered and the history of its test is read."""
+        """Return whether the engine has answered and the history of its test is read."""
         return self._connection.status is not None and self._test.settled
 
     def draw_now(self) -> None:
-        """Draw what is visible without waiting for the next tick."""
+        """Draw all visible parts without waiting for the next tick."""
         self.tabs.draw_fast(self.news)
         self.tabs.draw_slow(self.news)
 
     def start_when_idle(self, test: Path) -> None:
-        """Start a test as soon as the engine has answered and runs no other."""
+        """Start a test as soon as the engine has answered and runs no other test."""
         self._start_wanted = test
 
     def switch_theme(self) -> None:
@@ -307,14 +307,14 @@ class MainWindow(QMainWindow):
         self.preferences.put(Preference.THEME, other)
 
     def _take_choice(self, preference: Preference) -> None:
-        """Follow a choice of the user at once, where that is possible."""
+        """Apply a changed preference immediately, where that is possible."""
         if preference is Preference.THEME and self.preferences.theme is not self.theme:
             self.dress(self.preferences.theme)
         elif preference is Preference.OPERATOR:
             self._connection.sign_as(self.preferences.get(Preference.OPERATOR))
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.theme = theme
         application = QApplication.instance()
         if isinstance(application, QApplication):
@@ -322,7 +322,7 @@ class MainWindow(QMainWindow):
         self.dressing.instead([*self._dress_calls(), self.draw_now])
 
     def _dress_calls(self) -> Iterator[Callable[[], object]]:
-        """Yield calls that put each part in the theme: visible ones first, none of them long."""
+        """Yield short calls that theme each part, visible ones first."""
         theme = self.theme
         yield self._paint_frame
         bars = (self.header, self.rail, self.messages, self.notice, self.viewer_bar, self.controls)
@@ -336,7 +336,7 @@ class MainWindow(QMainWindow):
         yield from self.tabs.dress_calls(theme)
 
     def show_help(self) -> None:
-        """Open the help window, or bring it to the front."""
+        """Open the help window or raise it."""
         if self._help is None:
             self._help = HelpWindow(self)
             dress_part(self._help, self.theme)
@@ -354,7 +354,7 @@ class MainWindow(QMainWindow):
         dialog.activateWindow()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask while a test is under way; else store the layout and detach."""
+        """Ask while a test is running; else store the layout and detach."""
         status = self._connection.status
         active = status is not None and status.engine.state in ACTIVE
         attached = (
@@ -370,7 +370,7 @@ class MainWindow(QMainWindow):
         self.pulse.stop()
         self._save_layout()
         self.tabs.close_pages()
-        self.guide.close()  # it releases the rig over the connection, which is closed next
+        self.guide.close()  # releases the rig through the connection, which is closed next
         self._connection.close()
         self._test.close()
         self._results.close()
@@ -392,7 +392,7 @@ class MainWindow(QMainWindow):
         return True
 
     def close_without_question(self) -> None:
-        """Close without a question: at a signal, or when the terminal is gone."""
+        """Close without a question, at a signal or when the terminal is closed."""
         self._closing = "now"
         self._close_for_good()
 
@@ -422,7 +422,7 @@ class MainWindow(QMainWindow):
             self.setWindowTitle(title)
 
     def _next_step(self) -> None:
-        """Do the next step that the message line names; there is none in a calibration."""
+        """Perform the next step named in the message line; none during a calibration."""
         status = self._connection.status
         if status is not None and status.engine.state is RunState.CALIBRATING:
             self.controls.tell_occupied()
@@ -459,7 +459,7 @@ class MainWindow(QMainWindow):
             self._leave()
 
     def _do(self, act: Act) -> None:
-        """Do the action that a panel requests."""
+        """Perform the action that a panel requests."""
         if act is Act.TRY:
             self._try_simulated()
         elif act is Act.CALIBRATE:
@@ -470,7 +470,7 @@ class MainWindow(QMainWindow):
             self.tabs.show_page(act.value)
 
     def _try_simulated(self) -> None:
-        """Start the first test of the list on a simulated rig; beside a real one open a window."""
+        """Start the first test of the list on a simulated rig; for a real one open a new window."""
         status = self._connection.status
         if status is None:
             self._say("Wait for the engine: which rig it drives is not known yet.", good=False)
@@ -481,7 +481,7 @@ class MainWindow(QMainWindow):
             self._say("A window with the simulated rig is being opened.")
 
     def _open_again(self) -> None:
-        """Open a window like this one, as the settings are now, and close this one."""
+        """Open a window like this one with the present settings, and close this one."""
         if self._keep_unsaved():
             return
         self._save_layout()
@@ -528,13 +528,13 @@ class MainWindow(QMainWindow):
             self.resize(min(width, room.width()), min(height, room.height() - FRAME_HEIGHT))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the room, and place the card of a start above the buttons."""
+        """Fit the layout, and place the start card above the buttons."""
         super().resizeEvent(event)
         self.room.fit()
         self._place_start_bar()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Place the card of a start when it appears."""
+        """Place the start card when it appears."""
         if event.type() == QEvent.Type.Show:
             self._place_start_bar()
         return super().eventFilter(watched, event)
@@ -604,16 +604,16 @@ class MainWindow(QMainWindow):
             QShortcut(QKeySequence(key), self, call)
         for number, tab in enumerate(TABS):
             QShortcut(QKeySequence(tab.key), self, partial(self._choose_page, number))
-        # On the bar of commands, which a replay has not: there F7 plays.
+        # On the bar of commands, which a replay lacks: there F7 plays.
         QShortcut(QKeySequence(ACKNOWLEDGE_KEY), self.controls, self._acknowledge)
 
     def _choose_page(self, number: int) -> None:
-        """Go to a page by its key, also from a guide or the recovery in its place."""
+        """Open a page by its key, also from a guide or the recovery."""
         if self.tabs.isTabVisible(number):
             self.page_bar.chosen.emit(number)
 
     def _acknowledge(self) -> None:
-        """Acknowledge the alarm that is shown in full; show the alarms where none is visible."""
+        """Acknowledge the alarm shown in full; open the alarms where none is visible."""
         page = self.tabs.panels["alarms"]
         assert isinstance(page, AlarmPanel)
         for alarms in (self.side.alarms, page):

@@ -1,1 +1,1 @@
-"""The calibration wizard: the user interface of ``rigapp.calibrating``, one page for each task."""
+"""Calibration wizard: the user interface of ``rigapp.calibrating``, one page for each task."""

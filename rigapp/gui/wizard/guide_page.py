@@ -1,4 +1,4 @@
-"""A page of the wizard: it scrolls where the window is low, and folds where it is narrow."""
+"""A page of the wizard, which scrolls in a low window and wraps in a narrow one."""
 
 from __future__ import annotations
 
@@ -23,25 +23,25 @@ from rigapp.presentation.tokens import BODY_PT, GAP, STEP, VALUE_PT
 from rigapp.presentation.translation import Text, tr
 
 TWO, FOUR = 64 * STEP, 112 * STEP
-"""Least widths of a page on which two and four parts have room beside each other."""
+"""Minimum widths of a page for two and for four parts side by side."""
 ABOVE_AND_BELOW = 20 * STEP
-"""Height of what must be visible with a picture: the sentence above it, the buttons below."""
+"""Height of the sentence above a picture and the buttons below it, which must be visible."""
 PLOT_HEIGHT = 64 * STEP
-"""Of a page: a lower one has no room for a plot beside its table."""
+"""Minimum height of a page for a plot beside its table."""
 LEAST_HEIGHT = 24 * STEP
-"""Of a page: a lower one has no room for a picture, whose contents are in its words, too."""
+"""Minimum height of a page for a picture, whose contents are also given as text."""
 
 
 class Yielding(QWidget):
-    """A widget as high as its content needs at its width, and no higher."""
+    """A widget with the height of its content at the present width."""
 
     def minimumSizeHint(self) -> QSize:
-        """Return the least width; the height follows from it."""
+        """Return the minimum width, and the height for the present width."""
         return QSize(super().minimumSizeHint().width(), 0)
 
 
 class GuidePage(QWizardPage):
-    """A page whose content scrolls; its main button is in the foot of the wizard.
+    """A page whose content scrolls; its main button is in the wizard's button row.
 
     step: its name in the column of the steps.
     """
@@ -64,15 +64,15 @@ class GuidePage(QWizardPage):
         layout.setContentsMargins(0, 0, STEP, 0)
         layout.setSpacing(GAP)
         area = scrolling("guide_page", "Page", inside)
-        # Only what may grow gets the height of a wizard.
+        # Only an expanding page gets the full height of the wizard.
         area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         column(area, on=self)
 
     def asking(self, name: str, lines: int = 1) -> QLabel:
-        """Return the sentence that says what to do now, legible from the rig.
+        """Return the label of the present instruction, legible from the rig.
 
-        lines: its least number, so that nothing below moves from step to step.
+        lines: minimum number of lines, so that nothing below moves from step to step.
         """
         self._lines = lines
         self._asking = sentence(name, "What to do now")
@@ -80,14 +80,14 @@ class GuidePage(QWizardPage):
         return self._asking
 
     def beside(self, least: int, *items: Item | tuple[Item, int]) -> QHBoxLayout:
-        """Return items side by side, and below each other on a page less wide than ``least``."""
+        """Return items side by side, below each other on a page narrower than ``least``."""
         layout = row(*items)
         layout.setSpacing(GAP)
         self._pairs.append((layout, least))
         return layout
 
     def take_focus(self) -> None:
-        """Give the focus to what had it last on this page, else to the page itself."""
+        """Give the focus to the last focused widget of this page, else to the page."""
         focused = self.wizard().focusWidget()
         (focused if focused is not None and self.isAncestorOf(focused) else self).setFocus()
 
@@ -99,11 +99,11 @@ class GuidePage(QWizardPage):
             self.completeChanged.emit()
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
-        """Return the page's own buttons in the foot of the wizard, and whether they are shown."""
+        """Return the page's buttons in the wizard's button row, and whether they are shown."""
         return ()
 
     def make_room(self, width: int, height: int, *, alone: bool) -> None:
-        """Fit the content to the size of the page; alone: no column of steps is beside it."""
+        """Fit the content to the size of the page; alone: without the column of steps."""
         low = height < LEAST_HEIGHT
         self._where.setVisible(alone and not low)
         if self._asking is not None:

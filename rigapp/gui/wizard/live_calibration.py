@@ -1,4 +1,4 @@
-"""The calibration under way for the wizard's pages: session, newest window, background work."""
+"""The running calibration for the wizard's pages: session, newest window, background work."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.taking.signals import LISTEN_S, Readiness, SignalState
 
 LOOK_MS = 150
-"""Often enough for an operator who waits for a sign; an answer has the last seconds."""
+"""Polling period, short enough for an operator who waits; an answer has the last seconds."""
 NOWHERE = (-1, -1)
 Question = tuple[str, dict[str, Any]]
 """A verb of the engine and its arguments."""
@@ -30,35 +30,35 @@ AnySession = LiveSession[Any, Any, Any]
 
 
 class AskLater(Protocol):
-    """Ask the engine; the handler is called later on the screen's thread."""
+    """Send a request to the engine; the handler is called later on the GUI thread."""
 
     def __call__(
         self, verb: str, arguments: dict[str, Any], handler: Callable[[Reply], None], /
     ) -> None:
-        """Ask."""
+        """Send a request."""
         ...
 
 
 class HandsQueue:
-    """Send actions to the engine, each after the answer to the one before; a failure drops all."""
+    """Send actions to the engine, each after the answer to the previous; a failure drops all."""
 
     def __init__(
         self, line: AskLater, acted: Callable[[float], None], failed: Callable[[str], None]
     ) -> None:
-        """Set the engine; ``acted`` is called with the first device sample after an action."""
+        """Set the engine; acted: called with the first device sample after an action."""
         self._line, self._acted, self._failed = line, acted, failed
         self._actions: deque[Action] = deque()
         self.busy = False
         self.prepared = False
 
     def add(self, actions: Iterable[Action]) -> None:
-        """Do these after all others."""
+        """Append actions."""
         self._actions.extend(actions)
         if not self.busy:
             self._next()
 
     def prepare(self, actions: Iterable[Action]) -> None:
-        """Do these unless the rig is prepared already."""
+        """Append actions unless the rig is already prepared."""
         if not self.prepared:
             self.prepared = True
             self.add(actions)
@@ -85,10 +85,10 @@ class HandsQueue:
 
 
 class LiveCalibration(QObject):
-    """Poll the engine and hold the calibration under way; nothing here waits.
+    """Poll the engine and hold the running calibration without blocking.
 
-    question: the request sent over and over; view: the newest answer, None before there is one.
-    key: of the calibration that occupies the rig.
+    question: the request sent periodically. view: the newest answer, None before the first. key: of
+    the calibration that occupies the rig.
     """
 
     question: Question = ("signals", {"window_s": LISTEN_S})
@@ -124,13 +124,13 @@ class LiveCalibration(QObject):
 
     @property
     def trains(self) -> bool:
-        """Tell whether there is a simulated operator: on a simulated rig, in training mode."""
+        """Return whether there is a simulated operator (simulated rig in training mode)."""
         return self.rig.simulated and self.hands_offered
 
     # --- the session -----------------------------------------------------------------------------
 
     def open(self, settings: CalibrationFile, journal: Path, plan: Any) -> None:
-        """Begin a calibration, or resume it where there is no plan; raise UnusableInput."""
+        """Start a calibration, or resume it if plan is None; raises UnusableInput."""
         self.close_session()
         self.session = self._session_type(
             settings, self.rig, journal, plan, keep_waiting_times=not self.trains
@@ -146,7 +146,7 @@ class LiveCalibration(QObject):
             self.session = None
 
     def close(self) -> None:
-        """Stop polling and release the rig; what was recorded stays."""
+        """Stop polling and release the rig; recorded readings stay."""
         self._timer.stop()
         self._hands.drop()
         self.close_session()
@@ -155,7 +155,7 @@ class LiveCalibration(QObject):
             self._line("calibration_end", {"key": self.key}, lambda reply: None)
 
     def tick(self) -> None:
-        """Send the request again unless an answer is still due."""
+        """Send the request again unless an answer is pending."""
         self._worker.deliver()
         if not self._requested:
             self._requested = True
@@ -182,10 +182,10 @@ class LiveCalibration(QObject):
         elif session.takes_itself and self.readiness is not None and self.readiness.ready:
             self.take()
 
-    # --- what the operator does ------------------------------------------------------------------
+    # --- actions of the operator -----------------------------------------------------------------
 
     def take(self, at: float | None = None) -> bool:
-        """Record the step under way, at what was read off (SI); report what prevents it."""
+        """Record the present step, at the value read off (SI units); report a failure."""
         window = self.window
         return window is not None and self.attempt(lambda session: session.take(window, at))
 
@@ -194,7 +194,7 @@ class LiveCalibration(QObject):
         return self.attempt(lambda session: session.reject(index, reason))
 
     def attempt(self, act: Callable[[Any], object]) -> bool:
-        """Do something with the session; report what prevents it."""
+        """Call a function with the session; report a failure."""
         if self.session is None:
             return False
         try:
@@ -211,13 +211,13 @@ class LiveCalibration(QObject):
         return True
 
     def judge(self) -> None:
-        """Fit and check off the screen's thread; ``evaluated`` is emitted when it is done."""
+        """Fit and check on a worker thread; ``evaluated`` is emitted afterwards."""
         self.outcome = None
         if self.session is not None:
             self.run(self.session.judge, self._evaluated)
 
     def run(self, work: Callable[[], Any], done: Callable[[Any], None]) -> None:
-        """Do work off the screen's thread; report a failure."""
+        """Run a function on a worker thread; report a failure."""
         self._worker.submit(
             work, done, lambda error: self.reported.emit(translate(sentence_of_error(error)))
         )
@@ -234,11 +234,11 @@ class LiveCalibration(QObject):
 
     @property
     def hands_busy(self) -> bool:
-        """Tell whether the simulated operator is acting."""
+        """Return whether the simulated operator is acting."""
         return self._hands.busy
 
     def plant(self, mistake: StrEnum) -> None:
-        """Let the simulated operator make a mistake from the next action on."""
+        """Make the simulated operator err from the next action on."""
         self.mistake = mistake
         if self.session is not None:
             position = self.session.procedure.position
@@ -247,7 +247,7 @@ class LiveCalibration(QObject):
             self._hands.add(self.practice.plant(mistake))
 
     def lend_a_hand(self) -> None:
-        """Let the simulated operator do the step."""
+        """Make the simulated operator perform the step."""
         if self.session is None or self.session.procedure.done:
             return
         self._acted_at = self.session.procedure.position

@@ -1,4 +1,4 @@
-"""The page of the angle reference; then fields and pictures of each calibration type."""
+"""Page of the angle reference; fields and pictures of each calibration type."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ class AnglePage(GuidePage):
         self._look()
 
     def _keep_first(self) -> None:
-        """Keep the angle as the first of two, or drop it."""
+        """Store the angle as the first of two, or discard it."""
         if self._first_deg is not None:
             self._forget_first()
             return
@@ -146,7 +146,7 @@ class AnglePage(GuidePage):
         )
 
     def isComplete(self) -> bool:
-        """Tell whether the crank is stationary at a known angle, or the reference is taken."""
+        """Return whether the crank is stationary at a known angle, or the reference exists."""
         live = self._live
         if live.session is None:
             return False
@@ -155,7 +155,7 @@ class AnglePage(GuidePage):
         return live.readiness is not None and live.readiness.ready and not live.hands_busy
 
     def validatePage(self) -> bool:
-        """Take the reference, unless the journal holds it already."""
+        """Take the reference, unless the journal has it already."""
         for box in (self.shown, self.uncertainty):
             box.interpretText()
         if not self._due():
@@ -194,17 +194,18 @@ class AnglePage(GuidePage):
 
 
 MOST_POSITIONS = 41
-"""More than an operator takes in the window; the command line allows more."""
+"""Maximum number of positions in the window; the command line allows more."""
 ROUNDED_GRAVITY = 9.81
 
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """How the window shows a subject of ``SUBJECTS``.
+    """Presentation of a subject of ``SUBJECTS`` in the window.
 
-    what: in the wizard's title. readings: the page on which they are taken. angle: there is an
-    angle reference. sketch: what will be done. plot: of the residuals; fitted: it is beside the
-    result, too. session: of a subject without steps. live: what polls the engine.
+    what: name in the wizard's title. readings: makes the page on which they are taken. angle:
+    whether there is an angle reference. sketch: picture of the procedure. plot: of the residuals;
+    fitted: whether it is also shown with the result. session: of a subject without steps. live:
+    class that polls the engine.
     """
 
     what: Text
@@ -241,14 +242,14 @@ def _describe_load_cell(plan: LoadCellPlan, values: Values, settings: LoadCellFi
 
 
 def _gravity(settings: LoadCellFile) -> Values:
-    """Return the gravity that follows from latitude and height."""
+    """Return the gravity computed from latitude and height."""
     if settings.place.gravity_m_s2 is not None or settings.place.latitude_deg is None:
         return {}
     return {"gravity": load_cell_meaning(settings, "settings").place.gravity}
 
 
 def weight_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene:
-    """Return crank and weights of the present step."""
+    """Return the picture of crank and weights for the present step."""
     procedure, step = session.procedure, session.procedure.step
     before = procedure.steps[procedure.position - 1].pieces if procedure.position else ()
     now = None if window is None else window.angle
@@ -300,13 +301,13 @@ def _describe_probes(plan: ProbePlan, values: Values, settings: ProbeFile) -> st
 
 
 def _propose_range(view: Any, values: Values, settings: ProbeFile) -> Values:
-    """Propose 80 % of the range, once the engine has reported the sensitivity in use."""
+    """Propose 80 % of the range, when the engine has reported the sensitivity in use."""
     known, range_V = view["sensitivity_um_per_V"], settings.probe.range_V
     return {"reach": usual_reach_um(known, range_V, values["positions"])}
 
 
 def probe_scene(session: Any, window: Any, readiness: Readiness | None) -> Scene:
-    """Return probe and micrometer of the present step."""
+    """Return the picture of probe and micrometer for the present step."""
     step = session.procedure.step
     return ProbeScene(
         int(step.set_up or 1),

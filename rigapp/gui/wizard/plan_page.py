@@ -1,4 +1,4 @@
-"""First page: plan and settings of a new calibration, or one to resume."""
+"""First page: plan and settings of a new calibration, or selection of one to resume."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from rigapp.texts import sentence_of_error
 
 NEW: Text = "Begin a new calibration"
 PLAN, RIG = "plan", "rig"
-"""Where a field is stored that is no setting: in the plan, which the journal has, or in the rig."""
+"""Targets of a field that is not a setting: the plan, stored in the journal, or the rig."""
 
 Values = Mapping[str, Any]
 """Values of the fields of a plan, by name."""
@@ -44,9 +44,9 @@ Values = Mapping[str, Any]
 class Field:
     """One field of the page.
 
-    name: of the widget, after the stem. text: its caption. make (name, read aloud): the widget.
-    start: its value at first. kept: ``PLAN``, ``RIG``, or section.key of the settings. spoken: by
-    default its caption.
+    name: of the widget, after the stem. text: its caption. make (name, read aloud): makes the
+    widget. start: its initial value. kept: ``PLAN``, ``RIG``, or section.key of the settings.
+    spoken: by default its caption.
     """
 
     name: str
@@ -66,9 +66,10 @@ class Questions:
     """The first page of a subject.
 
     stem: of the widgets' names; journals: of the files in the folder. defaults: the settings
-    without a file. culprit: the field that is likely wrong when a plan is. describe (plan, values,
-    settings): what a plan means, in words. derived (settings): values of settings that follow from
-    others. propose (answer of the engine, values, settings): values until others are typed.
+    without a file. culprit: the field that is probably wrong when a plan is invalid. describe
+    (plan, values, settings): returns a summary of a plan. derived (settings): returns values of
+    settings that depend on others. propose (answer of the engine, values, settings): returns values
+    for fields that were not edited.
     """
 
     stem: str
@@ -100,9 +101,9 @@ class PlanPage(GuidePage):
         theme: Theme,
         chosen: Values | None = None,
     ) -> None:
-        """Make the fields of a subject; planned: its plan; chosen: first values of fields.
+        """Make the fields of a subject; planned: returns its plan; chosen: initial values.
 
-        sketch: what will be done.
+        sketch: picture of the procedure.
         """
         super().__init__(asks.title)
         self._live, self._folder, self.asks, self._planned = live, folder, asks, planned
@@ -153,7 +154,7 @@ class PlanPage(GuidePage):
         self._take_settings()
 
     def _changed(self) -> None:
-        """Follow a field; a typed value is not proposed any more."""
+        """Handle a changed field; an edited value is no longer proposed."""
         self._typed.update(name for name, widget in self.fields.items() if widget.hasFocus())
         self._propose()
         self.summarise()
@@ -168,7 +169,7 @@ class PlanPage(GuidePage):
     def settings_now(self) -> Any:
         """Return the settings with the values of the fields.
 
-        A setting that follows from others stays as it is.
+        A setting that depends on others stays unchanged.
         """
         settings, derived, values = self._record, self.asks.derived(self._record), self.values
         for spec in self._fields:
@@ -183,11 +184,11 @@ class PlanPage(GuidePage):
         return settings
 
     def wanted(self) -> Any:
-        """Return the plan by the fields; raise UnusableInput or ValueError."""
+        """Return the plan from the fields; raises UnusableInput or ValueError."""
         return self._planned(self.values, self.settings_now())
 
     def read_settings(self) -> None:
-        """Fill the fields from the settings file, if one is named, and show what they mean."""
+        """Fill the fields from the settings file, if one is named, and show the summary."""
         if self._take_settings():
             self.summarise()
 
@@ -225,7 +226,7 @@ class PlanPage(GuidePage):
         self.summarise()
 
     def validatePage(self) -> bool:
-        """Begin or resume; show what is wrong, with the focus on its field."""
+        """Start or resume; show an error with the focus on its field."""
         for box in self.findChildren(QAbstractSpinBox):
             box.interpretText()
         chosen = self.begin.currentData()
@@ -245,7 +246,7 @@ class PlanPage(GuidePage):
         return True
 
     def summarise(self) -> None:
-        """Show what the fields mean."""
+        """Show a summary of the plan."""
         anew = not self.begin.currentData()
         for spec in self._fields:
             self.fields[spec.name].setEnabled(anew or spec.kept != PLAN)
@@ -259,7 +260,7 @@ class PlanPage(GuidePage):
         self.summary.setText(translate(summary))
 
     def _propose(self) -> None:
-        """Propose values by the engine's answer, until something else is typed."""
+        """Propose values from the engine's answer for fields that were not edited."""
         if self._live.session is not None or self._live.view is None:
             return
         proposed = self.asks.propose(self._live.view, self.values, self._record)

@@ -1,4 +1,4 @@
-"""The page of the result, accepted or refused, with the control chart of a daily check."""
+"""Page of the result, accepted or refused, with the control chart of a daily check."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from rigapp.texts import sentence_of_error
 
 
 class ChartPlot(QWidget):
-    """Show the sensitivity in all checks beside the calibration in use, and the verdict."""
+    """Show the sensitivity of all checks and of the calibration in use, and the verdict."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -51,7 +51,7 @@ class ChartPlot(QWidget):
         )
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme, colour = theme, theme.curves["first"]
         self.plot.dress(theme)
         self._line.setPen(line_pen(colour))
@@ -101,10 +101,10 @@ USE: Text = "Write its name into the &rig file…"
 
 
 class CertificatePage(GuidePage):
-    """Write the certificate beside the record, as PDF or HTML; put the record to use."""
+    """Write the certificate beside the record, as PDF or HTML; bring the record into use."""
 
     def __init__(self, live: LiveCalibration, prefix: str, usage: RecordPlace) -> None:
-        """Make the widgets; prefix: of their names; usage: where a rig file names the record."""
+        """Make the widgets; prefix: of their names; usage: place of the record in a rig file."""
         super().__init__("Certificate")
         self._live, self._usage = live, usage
         alone: Text = "The certificate is made from the record alone: the same bytes each time."
@@ -130,7 +130,7 @@ class CertificatePage(GuidePage):
         self.setFinalPage(True)
 
     def initializePage(self) -> None:
-        """Name the record."""
+        """Show the name of the record."""
         outcome = self._live.outcome
         path = outcome.saved if outcome is not None else None
         practice: Text = " It was made on a simulated rig, for practice."
@@ -158,7 +158,7 @@ class CertificatePage(GuidePage):
         )
 
     def _leave(self) -> None:
-        """Withdraw the question; show how the record is put to use."""
+        """Withdraw the question; show how to bring the record into use."""
         file, outcome = self._live.rig.file, self._live.outcome
         alone = outcome is not None and self._usage.alone(outcome.kind)
         self._requested = False
@@ -178,7 +178,7 @@ class CertificatePage(GuidePage):
         )
 
     def _use(self) -> None:
-        """Ask first, then write the record's name into the rig file."""
+        """Write the record's name into the rig file, after confirmation."""
         file, outcome = self._live.rig.file, self._live.outcome
         if file is None or outcome is None or outcome.saved is None:
             return
@@ -215,7 +215,7 @@ class CertificatePage(GuidePage):
 
 
 def _load_writers() -> None:
-    """Import what draws a certificate while the operator reads the page."""
+    """Import the modules that draw a certificate while the operator reads the page."""
     import matplotlib.figure  # noqa: F401
 
     import rigapp.calibrating.certificate
@@ -224,7 +224,7 @@ def _load_writers() -> None:
 
 
 class ResultPage(GuidePage):
-    """Show numbers, uncertainty, problems; save the record, or show why it is refused."""
+    """Show figures, uncertainty and problems; save the record, or show why it is refused."""
 
     def __init__(
         self,
@@ -274,12 +274,12 @@ class ResultPage(GuidePage):
         self.completeChanged.emit()
 
     def isComplete(self) -> bool:
-        """Tell whether there is an accepted result or a daily check."""
+        """Return whether there is an accepted result or a daily check."""
         outcome = self._live.outcome
         return outcome is not None and (outcome.accepted or outcome.check is not None)
 
     def nextId(self) -> int:
-        """Go to the certificate only when there is something to save."""
+        """Return the certificate page only when there is a record to save."""
         outcome = self._live.outcome
         return super().nextId() if outcome is None or outcome.makes_record else -1
 

@@ -1,4 +1,4 @@
-"""What a step looks like at the rig, drawn: crank and weights, the level, a probe, a slow roll."""
+"""Pictures of a step at the rig: crank and weights, level, probe, slow roll."""
 
 from __future__ import annotations
 
@@ -19,27 +19,27 @@ from rigapp.presentation.translation import Text, tr
 from rigapp_calibration.load_cell.weights import told_pieces
 
 LEAST = QSize(30 * STEP, 24 * STEP)
-"""Below it the words on the weights overlap."""
+"""Minimum size; below it the texts on the weights overlap."""
 
 LINE, THIN = 2.0, 1.0
 HEAD = 1.4 * STEP
 ARM = 0.2
 """Length of the crank, as a share of the picture's height."""
 LEAST_PIECE, FORCE = 2.5 * STEP, 5.0 * STEP
-"""Heights of a weight with its words and of the force below them: the crank shrinks first."""
+"""Minimum heights of a weight with its text and of the force below: the crank shrinks first."""
 
 
 class Scene(Protocol):
-    """Something to draw."""
+    """A picture that can be drawn."""
 
     def paint(self, brush: Brush, room: QRectF) -> None:
-        """Draw it into a room."""
+        """Draw the picture into a rectangle."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """Equal weights that hang together: what they are, and whether they come, stay or go."""
+    """Equal weights on the pin: their text, and whether they are added, stay or are removed."""
 
     words: str
     comes: bool = False
@@ -47,7 +47,7 @@ class Piece:
 
 
 def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piece]:
-    """Return what hangs (kg), heaviest first: what stays, what is hung now, what is taken off."""
+    """Return the weights (kg), heaviest first: unchanged, added now, removed now."""
     now, was = Counter(pieces), Counter(before)
     return [
         *(Piece(words) for words in told_pieces((now & was).elements())),
@@ -57,7 +57,7 @@ def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piec
 
 
 class Brush:
-    """Draw the parts of scenes in the colours of a theme."""
+    """Painter for parts of scenes in the colours of a theme."""
 
     def __init__(self, painter: QPainter, theme: Theme, font: QFont) -> None:
         self.painter, self.theme, self._font = painter, theme, font
@@ -65,7 +65,7 @@ class Brush:
     def pen(
         self, colour: str, width: float = LINE, *, dashed: bool = False, fill: str = ""
     ) -> None:
-        """Draw with a pen from now on; fill with a colour, or nothing."""
+        """Set the pen, and the fill colour, or no fill."""
         pen = QPen(QColor(colour), width)
         if dashed:
             pen.setStyle(Qt.PenStyle.DashLine)
@@ -73,7 +73,7 @@ class Brush:
         self.painter.setBrush(QColor(fill) if fill else Qt.BrushStyle.NoBrush)
 
     def words(self, at: QPointF, text: str, colour: str, points: float = BODY_PT) -> None:
-        """Write words with their middle at a place."""
+        """Draw a text centred at a point."""
         font = self._bold(points)
         self.painter.setFont(font)
         self.painter.setPen(QColor(colour))
@@ -83,7 +83,7 @@ class Brush:
         self.painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def boxed(self, box: QRectF, text: str) -> None:
-        """Draw a box with words in it, as wide as they need."""
+        """Draw a box with a text in it, widened to the text."""
         theme = self.theme
         width = QFontMetricsF(self._bold(BODY_PT)).horizontalAdvance(text) + 2 * STEP
         more = max(width - box.width(), 0.0) / 2
@@ -129,12 +129,12 @@ class Brush:
 
 
 def on_circle(middle: QPointF, radius: float, angle: float) -> QPointF:
-    """Return a place on a circle; angle: rad, anticlockwise from the right."""
+    """Return a point on a circle; angle: rad, anticlockwise from the right."""
     return middle + QPointF(math.cos(angle), -math.sin(angle)) * radius
 
 
 def paint_crank(brush: Brush, middle: QPointF, arm: float, angle: float, colour: str) -> QPointF:
-    """Draw the crank with its pin at an angle (rad); return where the pin is."""
+    """Draw the crank with its pin at an angle (rad); return the position of the pin."""
     theme, painter = brush.theme, brush.painter
     pin = on_circle(middle, arm, angle)
     pen = QPen(QColor(colour), 0.5 * arm)
@@ -156,11 +156,11 @@ def paint_crank(brush: Brush, middle: QPointF, arm: float, angle: float, colour:
 
 @dataclass(frozen=True, slots=True)
 class WeightScene:
-    """The crank at an angle and what hangs on its pin.
+    """The crank at an angle and the weights on its pin.
 
     angle: rad, of the crank, anticlockwise from level. now: its present angle, None when not known.
-    stack: the weights. weight_N: of all that shall hang, 0 for none. turning: the crank is to be
-    turned there.
+    stack: the weights. weight_N: of all weights that should hang, 0 for none. turning: whether the
+    crank must be turned to the angle.
     """
 
     angle: float
@@ -219,7 +219,7 @@ class WeightScene:
 
 @dataclass(frozen=True, slots=True)
 class LevelScene:
-    """The crank with a level on its flat; turned: the level is turned end for end."""
+    """The crank with a spirit level on its flat; turned: the level is turned end for end."""
 
     now: float | None = None
     turned: bool = False
@@ -257,10 +257,10 @@ class LevelScene:
 
 @dataclass(frozen=True, slots=True)
 class ProbeScene:
-    """A probe, its target on the micrometer, and the position to turn to; um.
+    """A probe, its target on the micrometer, and the position to set, um.
 
-    felt_um: the target's position by the calibration in use, NaN when not known. back: it is turned
-    back past the position first.
+    felt_um: the target's position by the calibration in use, NaN when not known. back: the
+    micrometer is first turned back past the position.
     """
 
     probe: int
@@ -270,7 +270,7 @@ class ProbeScene:
     back: bool = False
 
     def paint(self, brush: Brush, room: QRectF) -> None:
-        """Draw probe, target and micrometer, the scale below them, and which way to turn."""
+        """Draw probe, target and micrometer, the scale below them, and the direction to turn."""
         theme, painter = brush.theme, brush.painter
         unit, level = room.width() / 12.0, room.top() + 0.4 * room.height()
         half = 0.13 * room.height()
@@ -321,9 +321,9 @@ class ProbeScene:
 
 @dataclass(frozen=True, slots=True)
 class RollScene:
-    """The spindle that turns slowly under the follower, two probes at right angles to each other.
+    """The spindle that turns slowly under the follower, with two perpendicular probes.
 
-    words: speed or what is next; turning: it turns now.
+    words: speed or next step; turning: whether it turns now.
     """
 
     words: str
@@ -350,7 +350,7 @@ class RollScene:
 
 
 class Picture(QWidget):
-    """Show a scene; the instruction above it says the same in words."""
+    """Show a scene; the instruction above it has the same contents as text."""
 
     def __init__(self, name: str, spoken: Text, theme: Theme) -> None:
         super().__init__()
@@ -362,18 +362,18 @@ class Picture(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def show_scene(self, scene: Scene | None) -> None:
-        """Show a scene; nothing is painted again when it is the one shown."""
+        """Show a scene; an unchanged one is not repainted."""
         if scene != self.scene:
             self.scene = scene
             self.update()
 
     def stay_within(self, tallest: int) -> None:
-        """Draw no higher than this, in pixels, so that all of it is seen at once."""
+        """Limit the height, in pixels, so that the whole picture is visible."""
         self._tallest = max(tallest, LEAST.height())
         self.update()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self.update()
 

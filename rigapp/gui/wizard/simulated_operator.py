@@ -12,7 +12,7 @@ from rigapp.presentation.translation import Text, tr
 
 
 class HandsPanel(QFrame):
-    """Do a step or all further steps, with a mistake if wanted."""
+    """Perform a step or all further steps, optionally with a mistake."""
 
     def __init__(
         self, live: LiveCalibration, name: str = "hands", do: Text = "&Do this step"

@@ -1,4 +1,4 @@
-"""The page on which readings are taken: instruction, stability, record, reject."""
+"""Page on which readings are taken: instruction, stability, record, reject."""
 
 from __future__ import annotations
 
@@ -44,19 +44,19 @@ from rigapp_calibration.taking.signals import Readiness
 
 
 class RollingCalibration(LiveCalibration):
-    """Let the engine take one roll after the other; nothing here waits."""
+    """Make the engine record one roll after the other, without blocking."""
 
     question: Question = ("status", {})
     rolling = False
 
     def roll(self) -> None:
-        """Begin to roll, or continue."""
+        """Start rolling, or continue."""
         self.rolling = self.session is not None
         self.reported.emit("")
         self.moved.emit()
 
     def stop(self) -> None:
-        """Stop the spindle under control; what is recorded stays."""
+        """Stop the spindle under control; recorded data stay."""
         self.rolling = False
         self._line("stop", {"reason": "the slow roll was stopped in the wizard"}, self._answered)
 
@@ -96,7 +96,7 @@ class RollingCalibration(LiveCalibration):
 
 
 class RollingPage(GuidePage):
-    """Turn the spindle at the operator's command; show the progress; stop."""
+    """Turn the spindle at the operator's command, show the progress, stop."""
 
     def __init__(self, live: RollingCalibration, theme: Theme) -> None:
         super().__init__("Slow rolls")
@@ -127,7 +127,7 @@ class RollingPage(GuidePage):
         live.reported.connect(self.problem.setText)
 
     def initializePage(self) -> None:
-        """Offer to roll."""
+        """Show the button that starts rolling."""
         self._look()
 
     def take_focus(self) -> None:
@@ -136,16 +136,16 @@ class RollingPage(GuidePage):
         next(offered, self).setFocus()
 
     def isComplete(self) -> bool:
-        """Tell whether every roll is recorded."""
+        """Return whether every roll is recorded."""
         session = self._live.session
         return session is not None and bool(session.runs.done)
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
-        """Return the buttons that stop and turn the spindle, until all rolls are recorded."""
+        """Return the buttons that stop and turn the spindle, shown until all rolls are recorded."""
         return ((self.stop, not self.isComplete()), (self.roll, not self.isComplete()))
 
     def progress_words(self) -> str:
-        """Return how many revolutions are turned, of how many."""
+        """Return the progress in revolutions as text."""
         runs = self._live.session.runs
         return tr("{} of {}", runs.turned, runs.planned)
 
@@ -182,12 +182,12 @@ LOADED: Text = "The &load is still"
 
 @dataclass(frozen=True, slots=True)
 class TakingWords:
-    """Names and words of the page.
+    """Names and texts of the page.
 
     stem: of the widgets' names; columns: of the table; buttons: kind of a step -> text of the
-    button, in place of ``RECORD``. measured: caption of the number, which is shown times ``factor``
-    in ``unit``. scene (session, window, readiness): picture of the step. do: action of the
-    simulated operator. read_off: a position that the operator reads off is entered.
+    button instead of ``RECORD``. measured: caption of the number, which is multiplied by ``factor``
+    and shown in ``unit``. scene (session, window, readiness): returns the picture of the step. do:
+    action of the simulated operator. read_off: whether the operator enters a position.
     """
 
     stem: str
@@ -205,12 +205,12 @@ class TakingWords:
 
 
 class TakingPage(GuidePage):
-    """Take all readings of the plan; the session determines what the widgets show."""
+    """Take all readings of the plan; the widgets show the state of the session."""
 
     def __init__(
         self, live: LiveCalibration, theme: Theme, words: TakingWords, plot: PlotNames
     ) -> None:
-        """Make the widgets; plot: of the residuals so far."""
+        """Make the widgets; plot: names for the plot of the residuals so far."""
         super().__init__("Readings")
         self.live_calibration, self._words, self.plot = live, words, ResidualPlot(theme, plot)
         prefix = prefix_of(words.stem)
@@ -260,29 +260,29 @@ class TakingPage(GuidePage):
         live.reported.connect(self.problem.setText)
 
     def initializePage(self) -> None:
-        """Show the step under way, and offer to record."""
+        """Show the present step, and the button to record it."""
         self.hands.setVisible(self.live_calibration.trains)
         self._move()
         self._look()
 
     def take_focus(self) -> None:
-        """Put the focus on Record as soon as that is enabled."""
+        """Put the focus on Record as soon as it is enabled."""
         (self.record if self.record.isEnabled() else self).setFocus()
 
     def isComplete(self) -> bool:
-        """Tell whether all readings are taken."""
+        """Return whether all readings are taken."""
         session = self.live_calibration.session
         return session is not None and bool(session.procedure.done)
 
     def foot(self) -> tuple[tuple[QAbstractButton, bool], ...]:
-        """Return the buttons that record, until all is taken, and leave out an optional step."""
+        """Return the buttons to record, shown until the last reading, and to skip a step."""
         session = self.live_calibration.session
         under_way = session is not None and not session.procedure.done
         optional = under_way and session.procedure.step.optional
         return ((self.leave_out, optional), (self.record, under_way))
 
     def progress_words(self) -> str:
-        """Return how many readings are valid, of how many."""
+        """Return the number of valid and of planned readings as text."""
         procedure = self.live_calibration.session.procedure
         wanted = sum(step.kind is StepKind.READING for step in procedure.steps)
         return tr("{} of {}", len(procedure.standing(of=lambda step: True)), wanted)
@@ -321,7 +321,7 @@ class TakingPage(GuidePage):
         self.completeChanged.emit()
 
     def _look(self) -> None:
-        """Show whether the signal is steady, enable Record then, keep the focus."""
+        """Show whether the signal is steady and enable Record accordingly; keep the focus."""
         live = self.live_calibration
         if live.session is None or not self.isVisible():
             return
@@ -339,7 +339,7 @@ class TakingPage(GuidePage):
         self._show_scene()
 
     def _show_measured(self, readiness: Readiness | None) -> None:
-        """Show what is measured, and what it should be where something is set."""
+        """Show the measured value, and its target where there is one."""
         session, words = self.live_calibration.session, self._words
         if readiness is None:
             self.measured.show_value("")
@@ -399,7 +399,7 @@ class TakingPage(GuidePage):
         self._use_words(lambda session, words: session.note(words))
 
     def _use_words(self, act: Callable[[Any, str], object]) -> None:
-        """Do something with the typed words, and clear them."""
+        """Call a function with the typed text, and clear the text."""
         if self.live_calibration.attempt(lambda session: act(session, self.reason.text())):
             self.reason.clear()
 

@@ -30,11 +30,11 @@ from rigapp.presentation.translation import Text, tr, translate
 from rigapp_calibration.taking.signals import Readiness, SignalState
 
 LEAST_PLOT = 15 * STEP
-"""Height of a plot below which its residuals cannot be distinguished."""
+"""Minimum height of a plot in which residuals can be distinguished."""
 
 
 def prefix_of(stem: str) -> str:
-    """Return the prefix of a subject's widget names, which is empty for the load cell."""
+    """Return the prefix of a subject's widget names, empty for the load cell."""
     return "" if stem == "calibration" else f"{stem}_"
 
 
@@ -46,7 +46,7 @@ def field(form: QFormLayout, text: Text, widget: QWidget) -> None:
 
 
 def fields_form() -> QFormLayout:
-    """Return an empty form; a field goes below its caption where there is no room beside it."""
+    """Return an empty form; fields are below their captions where there is no room beside them."""
     form = QFormLayout()
     form.setVerticalSpacing(STEP)
     form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
@@ -63,7 +63,7 @@ def labelled(text: Text, widget: QWidget) -> QFormLayout:
 def number(
     name: str, spoken: Text, low: float, high: float, decimals: int, step: float, unit: str
 ) -> QDoubleSpinBox:
-    """Return a field for a number, whose value follows every key."""
+    """Return a field for a number, whose value changes at every key."""
     aloud = f"{tr(spoken)}, {tr(UNIT_NAMES.get(unit, unit))}"
     box = named(steady_field(QDoubleSpinBox()), name, aloud)
     box.setRange(low, high)
@@ -85,7 +85,7 @@ UNIT_NAMES: dict[str, Text] = {
 
 
 def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False) -> QLabel:
-    """Return a label for sentences that can be selected; factor: of its type's size."""
+    """Return a label for selectable sentences; factor: of the font size."""
     label = prose(name, spoken)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setFont(scaled_font(label, factor, bold=bold))
@@ -93,9 +93,9 @@ def sentence(name: str, spoken: Text, factor: float = 1.0, *, bold: bool = False
 
 
 def taking_what_is_left(shown: QWidget, least: int = LEAST_PLOT) -> QHBoxLayout:
-    """Return a plot or table that takes the remaining room, whatever its size hint.
+    """Return a layout in which a plot or table takes the remaining room, despite its size hint.
 
-    least: its height, in pixels, below which the page scrolls.
+    least: minimum height in pixels; a lower page scrolls.
     """
     shown.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
     layout = row(shown)
@@ -104,7 +104,7 @@ def taking_what_is_left(shown: QWidget, least: int = LEAST_PLOT) -> QHBoxLayout:
 
 
 def caption(text: Text) -> QLabel:
-    """Return the title of a plot, quantity and unit, for above it, where it is never cut."""
+    """Return the title of a plot (quantity and unit) as a label above it, where it is not cut."""
     label = QLabel(tr(text))
     label.setProperty("role", "caption")
     return label
@@ -121,7 +121,7 @@ class Sign(QWidget):
         self.setFixedSize(QSize(side, side))
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self.update()
 
@@ -170,7 +170,7 @@ WORDS: dict[SignalState, Text] = {
 
 
 class Stability(QWidget):
-    """A shape and words for whether the signal is steady."""
+    """Shape and text of the signal's stability."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -182,7 +182,7 @@ class Stability(QWidget):
         row(self.sign, (column(self.word, self.why), 1), on=self).setContentsMargins(0, 0, 0, 0)
 
     def show_readiness(self, readiness: Readiness | None) -> None:
-        """Show the readiness, or that there is none."""
+        """Show the readiness, or that it is unknown."""
         state, words = SignalState.WAITING, tr("no signals from the engine")
         if readiness is not None:
             state, words = readiness.state, readiness.words
@@ -194,7 +194,7 @@ class Stability(QWidget):
 
 
 class MeasuredCard(QFrame):
-    """What is measured now, legible from the rig: number, its target, steadiness."""
+    """The measured value, legible from the rig: number, target, stability."""
 
     def __init__(self, name: str, title: Text, theme: Theme) -> None:
         super().__init__()
@@ -212,7 +212,7 @@ class MeasuredCard(QFrame):
         self.show_value("")
 
     def make_room(self, *, low: bool) -> None:
-        """Put the stability beside the number, rather than below it, where the page is low."""
+        """Place the stability beside the number, instead of below it, on a low page."""
         way = QBoxLayout.Direction.LeftToRight if low else QBoxLayout.Direction.TopToBottom
         self._halves.setDirection(way)
         self._halves.setContentsMargins(MARGIN, STEP, MARGIN, STEP)
@@ -222,7 +222,7 @@ class MeasuredCard(QFrame):
         self.value.set_largest(sized(self.font(), points, QFont.Weight.DemiBold))
 
     def show_value(self, value: str, wanted: str = "") -> None:
-        """Show a number with its unit, and what it should be; without one a dash."""
+        """Show a number with its unit, and its target; an empty one as a dash."""
         self.value.show_text(value or "–")
         if self.wanted.text() != wanted:
             self.wanted.setText(wanted)
@@ -230,7 +230,7 @@ class MeasuredCard(QFrame):
 
 @dataclass(frozen=True, slots=True)
 class PlotNames:
-    """Of a residual plot: stem of the widgets' names, read aloud, unit, lower and left axis."""
+    """Names of a residual plot: stem of widget names, accessible name, unit, x and y axis."""
 
     stem: str
     spoken: Text
@@ -240,10 +240,10 @@ class PlotNames:
 
 
 class ResidualPlot(QWidget):
-    """Show the residuals of the readings so far to their own fit: circles, then triangles."""
+    """Show the residuals of the readings so far from their own fit: circles, then triangles."""
 
     def __init__(self, theme: Theme, names: PlotNames) -> None:
-        """Make the plot with words below."""
+        """Make the plot with a text below."""
         super().__init__()
         self.plot = QuietPlot(f"{names.stem}_plot", tr(names.spoken), theme)
         self.plot.label("bottom", tr(names.bottom))
@@ -260,14 +260,14 @@ class ResidualPlot(QWidget):
         column(self.title, (taking_what_is_left(self.plot), 1), self.words, on=self)
 
     def make_room(self, *, low: bool) -> None:
-        """Leave the room to the table on a low page; the words say the largest residual."""
+        """Hide the plot on a low page; the text has the largest residual."""
         for shown in (self.title, self.plot):
             shown.setHidden(low)
         height = QSizePolicy.Policy.Maximum if low else QSizePolicy.Policy.Preferred
         self.setSizePolicy(QSizePolicy.Policy.Preferred, height)
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self.plot.dress(theme)
         for role, item in self._points.items():
             item.setPen(line_pen(theme.curves[role]))

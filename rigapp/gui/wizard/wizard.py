@@ -30,10 +30,10 @@ WIDTH = 26 * STEP
 
 
 class StepsColumn(QFrame):
-    """What is calibrated, its steps, and that nothing is lost by closing."""
+    """Column with calibration type, steps, and the note that closing loses nothing."""
 
     def __init__(self, title: str, count: int, theme: Theme) -> None:
-        """Make the column; title: what is calibrated, count: of the steps."""
+        """Make the column; title: calibration type, count: number of steps."""
         super().__init__()
         named(self, "wizard_steps", "Steps of the calibration").setProperty("role", "card")
         self._theme = theme
@@ -53,7 +53,7 @@ class StepsColumn(QFrame):
         self._shown: tuple[ShownStep, ...] = ()
 
     def dress(self, theme: Theme) -> None:
-        """Take a theme."""
+        """Apply a theme."""
         self._theme = theme
         self.show_steps(self._shown)
 
@@ -69,7 +69,7 @@ FORWARD = (
     QWizard.WizardButton.CommitButton,
     QWizard.WizardButton.FinishButton,
 )
-"""Buttons to the next page: the primary ones of a complete page."""
+"""Buttons to the next page, which are primary on a complete page."""
 
 SPACE = QWizard.WizardButton.Stretch
 
@@ -81,7 +81,7 @@ ORDER = (
     QWizard.WizardButton.CustomButton2,
     *FORWARD,
 )
-"""Of the buttons in the foot, which is visible at any height; the forward buttons are the last."""
+"""Order of the wizard's buttons, visible at any height; the forward buttons are the last."""
 
 BUTTONS: dict[QWizard.WizardButton, tuple[Text, Text]] = {
     QWizard.WizardButton.CommitButton: ("Begin &readings", "Begin readings"),
@@ -108,9 +108,9 @@ class CalibrationWizard(QWizard):
         fields: Mapping[str, str] | None = None,
         key: str = "",
     ) -> None:
-        """Make the pages of a subject; fields: first values of those of the first page.
+        """Make the pages of a subject; fields: initial values of the first page.
 
-        key: of the calibration by which this wizard occupies the rig; its end frees the rig.
+        key: of the calibration that occupies the rig for this wizard; its end releases the rig.
         """
         super().__init__(parent)
         of, face = SUBJECTS[subject], FACES[subject]
@@ -165,17 +165,17 @@ class CalibrationWizard(QWizard):
         self.currentIdChanged.connect(self._begin_page)
         self.live.moved.connect(self._mark)
         self.finished.connect(lambda _: self.live.close())
-        if parent is None:  # else it is put in the theme where it is shown, once
+        if parent is None:  # else it is themed where it is shown, once
             dress_part(self, theme)
         self.resize(QSize(1040, 820))
 
     def parts(self) -> list[QWidget]:
-        """Return the parts put in a theme one by one; a sheet on the wizard would hide its page."""
+        """Return the parts themed one by one; a style sheet on the wizard would hide its page."""
         buttons = [self.button(button) for button in ORDER if button is not SPACE]
         return [self.steps, *self._pages, *buttons]
 
     def dress(self, theme: Theme) -> None:
-        """Set the colours of steps, pictures and plots, also of those that are made later."""
+        """Set the colours of steps, pictures and plots, also of later ones."""
         self.result_page.theme = theme
         parts: list[Any] = [self.steps, *self.findChildren(Picture), *self.findChildren(Sign)]
         plots = (*self.findChildren(ResidualPlot), *self.findChildren(ChartPlot))
@@ -190,7 +190,7 @@ class CalibrationWizard(QWizard):
     def _make_room(self) -> None:
         """Fit steps and page to the size of the wizard."""
         alone = self.width() < TIGHT_WIDTH - WIDTH
-        # Qt keeps margins around hidden widgets, too.
+        # Qt keeps margins around hidden widgets.
         side: Any = self.steps.parentWidget()
         side.setVisible(not alone)
         for frame in (side, side.parentWidget()):
@@ -200,10 +200,10 @@ class CalibrationWizard(QWizard):
             page.make_room(self.width() - side_width, self.height(), alone=alone)
 
     def _begin_page(self) -> None:
-        """Give the focus to the page, and name the buttons of the readings.
+        """Give the focus to the page, and set the texts of the buttons for the readings.
 
         Qt hides all pages while it changes them, so that the focus leaves the wizard, and resets
-        the words of buttons.
+        the texts of buttons.
         """
         page = self.currentPage()
         if isinstance(page, GuidePage):
@@ -212,7 +212,7 @@ class CalibrationWizard(QWizard):
             self._mark()
 
     def _hold_focus(self) -> None:
-        """Remember what has the focus, before Qt hides it and shows it again."""
+        """Store the focused widget before Qt hides and shows it again."""
         widget = self.focusWidget()
         if widget is not None and widget.hasFocus():
             self._held = widget
@@ -246,7 +246,7 @@ class CalibrationWizard(QWizard):
         )
 
     def _line(self, page: GuidePage) -> str:
-        """Return how far the readings are, empty for other pages."""
+        """Return the progress of the readings as text, empty for other pages."""
         session = self.live.session
         if page is not self.readings or session is None:
             return ""

@@ -119,7 +119,7 @@ class Manuscript:
 
 
 def is_number(text: str) -> bool:
-    """Tell whether a cell holds a number, perhaps with a unit or thin spaces, or its absence."""
+    """Return whether a cell holds a number, perhaps with a unit or thin spaces, or its absence."""
     bare = text.replace("\u202f", "").strip()
     if bare in ("", "–", tr("unknown"), tr("none")):
         return True
