@@ -1,6 +1,6 @@
-"""The command line: thin verbs, each of which imports what it needs when it is called.
+"""The command line: thin verbs, each of which imports its modules only when it is called.
 
-Others enter by this door.
+This module is the public interface of the package.
 """
 
 from rigapp.cli.program import main

@@ -1,4 +1,4 @@
-"""Verbs that need no rig: recorded tests, the model, studies of many."""
+"""Verbs that need no rig: recorded tests, the model, studies."""
 
 from __future__ import annotations
 

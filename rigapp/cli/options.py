@@ -13,10 +13,10 @@ from rigapp.config.names import name_refusal
 
 
 class WholeSentences(TyperGroup):
-    """A group whose list of verbs has each whole sentence, however narrow the terminal is."""
+    """A group of verbs whose list shows complete sentences in a terminal of any width."""
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
-        """Write the verbs and the first sentence of each."""
+        """Write the verbs, each with its first sentence."""
         verbs = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
         rows = [
             (name, " ".join((verb.help or "").split("\n\n")[0].split()))
@@ -28,14 +28,14 @@ class WholeSentences(TyperGroup):
 
 
 def group(words: str = "") -> typer.Typer:
-    """Return an empty group of verbs; without words its verbs are beside those of others."""
+    """Return an empty group of verbs; without a help text its verbs join those of other groups."""
     return typer.Typer(
         help=words or None, no_args_is_help=True, rich_markup_mode=None, cls=WholeSentences
     )
 
 
 def _file_name(parameter: typer.CallbackParam, path: Path | None) -> Path | None:
-    """Refuse a name that no file can have, before anything is begun."""
+    """Refuse an impossible file name before any work starts."""
     wrong = name_refusal(path) if path is not None else ""
     if wrong:
         raise UnusableInput(f"{parameter.opts[0]}: {wrong}.")
@@ -48,7 +48,7 @@ def option(flag: str, words: str, **more: Any) -> Any:
 
 
 def file_option(flag: str, words: str) -> Any:
-    """Return the option for a file that is written."""
+    """Return the option for an output file."""
     return option(flag, words, callback=_file_name)
 
 

@@ -38,7 +38,7 @@ app.add_typer(rig.service_verbs, name="service")
 
 
 def _show_version(wanted: bool) -> None:
-    """Print the version and end, before anything else is loaded."""
+    """Print the version and exit before other modules are loaded."""
     if wanted:
         from importlib.metadata import version
 
@@ -70,21 +70,21 @@ def options(
 
 
 INTERRUPTED = 130
-"""The status that the command line's library returns after Ctrl-C."""
+"""Status that the command-line library returns after Ctrl-C."""
 
 
-@cache  # repeated calls of ``main`` make the tree of verbs once
+@cache  # repeated calls of ``main`` build the tree of verbs only once
 def _verbs() -> Any:
     return typer.main.get_command(app)
 
 
 def main() -> NoReturn:
     """Run the command line and exit with its status."""
-    # Threads of the linear algebra would take cores from the acquisition.
+    # Threads of linear algebra would take cores from the acquisition.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed by the parent process
-            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115, for as long as this runs
+            setattr(sys, name, open(os.devnull, "w"))  # noqa: SIM115, open until the process ends
     debug = "--debug" in sys.argv
     arguments = [word for word in sys.argv[1:] if word != "--debug"]
     try:
@@ -103,7 +103,7 @@ def main() -> NoReturn:
 
 
 def _report(error: Exception) -> int:
-    """Print what went wrong in one sentence and return the exit status."""
+    """Print an error as one sentence and return the exit status."""
     if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
         start = str(error.filename)[:40]
         print(f"rigapp: the name {start}... is too long; shorten it.", file=sys.stderr)
@@ -126,7 +126,7 @@ def _report(error: Exception) -> int:
 
 
 def _sections(error: Exception) -> list[str]:
-    """Return the sections of the troubleshooting guide for an error of devices, each once."""
+    """Return the sections of the troubleshooting guide for a device error, each once."""
     module = sys.modules.get("rigapp_drivers.api")
     if module is None or not isinstance(error, module.DeviceError):
         return []
@@ -134,7 +134,7 @@ def _sections(error: Exception) -> list[str]:
 
 
 def _status_of(error: Exception) -> int:
-    """Return the exit status of an error that a verb raised."""
+    """Return the exit status for an error raised by a verb."""
     if isinstance(error, UnusableInput):
         return 2
     module = sys.modules.get("rigapp_drivers.api")

@@ -1,4 +1,4 @@
-"""`rigapp calibrate` from tables, the printed outcome of every calibration, work on records."""
+"""`rigapp calibrate` from tables, printed results of all calibrations, and work on records."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ def calibrate_table(
     former: Path | None = None,
     as_json: bool,
 ) -> int:
-    """Fit a table of readings; keep a record when they are good; return the exit status.
+    """Fit a table of readings; save a record when they are accepted; return the exit status.
 
-    name: of the subject; which: a variant of it (see the subject's ``fit``). former: the record in
-    use until now, for comparison.
+    name: of the subject; which: a variant of it (see the subject's ``fit``). former: the previous
+    record, for comparison.
     """
     subject = SUBJECTS[name]
     if readings is None or subject.fit is None:
@@ -72,7 +72,7 @@ def calibrate_table(
 def say_outcome(outcome: Outcome, to: Path, *, as_json: bool) -> int:
     """Print an outcome and its problems; return the exit status.
 
-    The numbers of a refused calibration are not printed; those of a check always are.
+    The numbers of a refused calibration are not printed, those of a check always.
     """
     if as_json:
         as_found = outcome.as_found[0]
@@ -101,7 +101,7 @@ def make_worksheet(settings: Path, to: Path, plan: str, weights: str) -> int:
 
 
 def read_record(path: Path) -> Record:
-    """Return a record; raise UnusableInput for a file that is none."""
+    """Return a record; raises UnusableInput for other files."""
     try:
         return checked_record(read_bytes(path))
     except OSError as error:
@@ -111,7 +111,7 @@ def read_record(path: Path) -> Record:
 
 
 def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
-    """Print the records of a folder, oldest first, each against the one before; draw them."""
+    """Print and draw the records of a folder, oldest first, each compared with the previous."""
     if not folder.is_dir():
         raise UnusableInput(f"{folder}: there is no such folder; check the name.")
     series: dict[tuple[str, str], list[Record]] = {}
@@ -120,7 +120,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
             record = checked_record(path.read_bytes())
             series.setdefault((record.kind, item_of(record)), []).append(record)
         except (OSError, *MALFORMED):
-            continue  # journals, results, records that were changed: verify names these
+            continue  # journals, results, changed records (reported by verify)
     try:
         trends = [(kind, item, trend(records)) for (kind, item), records in series.items()]
     except RecordError as error:
@@ -160,7 +160,7 @@ def show_trend(folder: Path, to: Path | None, *, as_json: bool) -> int:
 
 
 def item_of(record: Record) -> str:
-    """Return the item of a record by its settings: name and serial number."""
+    """Return the item of a record from its settings: name and serial number."""
     settings = record.content["settings"]
     cell, paper = settings.get("cell", {}), settings.get("paperwork", {})
     named = cell.get("name") or settings.get("probe", {}).get("name", "")
@@ -169,7 +169,7 @@ def item_of(record: Record) -> str:
 
 
 def show_history(store: Path, to: Path | None, rig: str | None, *, as_json: bool) -> int:
-    """Print the history and draw its charts; status 1 when a rule asks for action."""
+    """Print the history and draw its charts; return 1 when a rule requires action."""
     result = read_history(store, rig)
     if as_json:
         print(json.dumps(history_result(result)))
@@ -190,7 +190,7 @@ UNSIGNED = "It is not signed: nothing shows which laboratory made it."
 def certify(record: Path, to: Path, issued: str = "") -> int:
     """Write the certificate of a record as PDF or HTML; return the exit status.
 
-    issued: the date of issue, as 2027-04-30; without it that of the record.
+    issued: date of issue, such as 2027-04-30; by default that of the record.
     """
     from rigapp.calibrating.certificate import write_certificate
 
@@ -206,9 +206,9 @@ def certify(record: Path, to: Path, issued: str = "") -> int:
 
 
 def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) -> int:
-    """Fit the readings of a record again and print what differs; return the exit status.
+    """Fit the readings of a record again and print the differences; return the exit status.
 
-    public_key: of the laboratory that must have signed it.
+    public_key: of the laboratory whose signature is required.
     """
     try:
         data, record = _read(path)
@@ -252,7 +252,7 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
 
 
 def make_key(to: Path) -> int:
-    """Write a private key that its owner alone can read, and the public key beside it."""
+    """Write a private key readable by its owner only, and the public key beside it."""
     public = to.with_suffix(".pub")
     if public == to:
         raise UnusableInput(f"{to}: the public key gets the ending .pub; name another file.")
@@ -289,7 +289,7 @@ def sign_record(path: Path, key: Path, to: Path) -> int:
 
 
 def _read(path: Path) -> tuple[bytes, Record]:
-    """Return a record and its bytes; raise RecordChanged, or UnusableInput for what is none."""
+    """Return a record and its bytes; raises RecordChanged, or UnusableInput for other files."""
     try:
         data = path.read_bytes()
         return data, checked_record(data)
@@ -318,7 +318,7 @@ def _not_by(record: Record, public_key: Path) -> list[str]:
 
 
 def _secret(key: Path) -> bytes:
-    """Return a private key that others cannot read; raise UnusableInput."""
+    """Return a private key; raises UnusableInput where other users can read it."""
     try:
         others = open_to_others(key.stat())
         secret = key.read_bytes()
@@ -332,7 +332,7 @@ def _secret(key: Path) -> bytes:
 
 
 def _write(to: Path, data: bytes, mode: int) -> None:
-    """Write a new file that has its permissions from the first byte on."""
+    """Write a new file with its permissions set before the first byte."""
     with whole_file(to, new=True, mode=mode) as part:
         opened = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
         with os.fdopen(opened, "wb") as stream:

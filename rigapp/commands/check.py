@@ -32,15 +32,15 @@ from rigapp.texts import say
 from rigapp_drivers.api import DeviceError, help_of
 from rigapp_drivers.registry import load_driver
 
-FIRST_DATA_S = 10.0  # a device that has been set sends within a block
-PIPE_WIDTH = 200  # without a terminal no line is broken
+FIRST_DATA_S = 10.0  # a configured device sends data within one block
+PIPE_WIDTH = 200  # without a terminal, lines are not wrapped
 APT_SETTINGS = Path("/etc/apt/apt.conf.d")
 _RESTARTS = re.compile(r'^\s*Unattended-Upgrade::Automatic-Reboot\s+"true"', re.MULTILINE)
 MARKS = {CheckVerdict.GOOD: "ok", CheckVerdict.ATTENTION: "note", CheckVerdict.BLOCKS: "BLOCKS"}
 
 
 def check_rig(rig_path: Path, test_path: Path, *, as_json: bool = False) -> int:
-    """Print the pre-flight table; status 1 when anything blocks a start."""
+    """Print the pre-flight table; return 1 when a check blocks the start."""
     checks = _all_checks(rig_path, test_path)
     if as_json:
         trees = [check.tree() for check in checks]
@@ -79,7 +79,7 @@ def _print_table(checks: Sequence[Check]) -> None:
 
 
 def message_checks(rig: Document[RigFile]) -> list[Check]:
-    """Check the notification channels, where any is set up; nothing is sent."""
+    """Check the configured notification channels without sending messages."""
     ways = ways_of(rig)
     if not ways:
         return []
@@ -125,17 +125,17 @@ def computer_checks(settings: Path = APT_SETTINGS) -> Iterator[Check]:
 
 
 def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check]]:
-    """Return the status of the rig, and further checks, or why there is no status.
+    """Return the status of the rig with further checks, or a check with the reason for no status.
 
-    The running engine of the rig answers; without one, the devices are opened, their test value is
-    read, and they are released.
+    The status is that of the rig's running engine; without one, the devices are opened, their test
+    value is read, and they are released.
     """
     from rigapp.service.client import Client, EngineUnreachable
     from rigapp.service.launch import find_engine
 
     entry = find_engine(records.rig.path)
     rig = records.rig.record
-    needed = (rig.encoder.device, rig.spindle.device)  # a test runs without a slow source
+    needed = (rig.encoder.device, rig.spindle.device)  # a test can run without a slow source
     try:
         if entry is None:
             return _look_alone(records, test)
@@ -189,7 +189,7 @@ class SelfChecking(Protocol):
     """A data source that can feed half of its range into its inputs, as the GSV-8 does."""
 
     def half_scale(self) -> Sequence[Any]:
-        """Return one result an input: name, measured, expected, unit, right."""
+        """Return a result for each input: name, measured, expected, unit, passed."""
 
 
 def self_check(
@@ -198,9 +198,10 @@ def self_check(
     load: LoadDriver = load_driver,
     folder: Path = Path(),
 ) -> Iterator[Check]:
-    """Yield the check of the data source's test value, where it has one; raise what opening raises.
+    """Yield the check of the data source's test value, where it has one.
 
-    It covers the path from the amplifier to the program: scales and order of the channels.
+    It covers the path from the amplifier to the program: scales and order of the channels. Errors
+    of opening the source are passed on.
     """
     devices = make_devices(rig, ports, load, folder=folder)
     try:

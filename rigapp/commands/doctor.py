@@ -1,4 +1,4 @@
-"""`rigapp doctor`: examine this computer, its ports and the libraries of the window."""
+"""`rigapp doctor`: examine this computer, its ports and the GUI libraries."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PACKAGES = (
 )
 WINDOW_PACKAGES = ("PySide6-Essentials", "pyqtgraph")
 PROMPT_LATENCY_MS = 2
-WINDOW_TEST_S = 120  # starting the libraries of the window on a slow disk
+WINDOW_TEST_S = 120  # start of the GUI libraries on a slow disk
 CAN_LISTEN_S = 1.0  # heartbeats come several times a second
 NETWORKS = Path("/sys/class/net")
 USB_SERIAL = Path("/sys/bus/usb-serial/devices")
@@ -61,7 +61,7 @@ _SUBJECT_WIDTH = 19
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One line of the examination: good, or an action; help: a section of troubleshooting.md."""
+    """One finding: good, or with an action; help: a section of troubleshooting.md."""
 
     subject: str
     text: str
@@ -70,7 +70,7 @@ class Observation:
 
 
 def examine(port: str | None = None, *, as_json: bool = False) -> int:
-    """Print every finding; status 1 when one needs action. port: examine only this one."""
+    """Print all findings; return 1 when one needs action. port: examine only this port."""
     findings = _all() if port is None else ask_port(port)
     return _as_json(tuple(findings)) if as_json else _report(findings)
 
@@ -90,7 +90,7 @@ def _all() -> Iterator[Observation]:
 
 
 def print_rules() -> int:
-    """Print the udev rules. Exit status."""
+    """Print the udev rules; return the exit status."""
     print(port_rules(installed_drivers([])), end="")
     return 0
 
@@ -106,7 +106,7 @@ def _as_json(findings: Sequence[Observation]) -> int:
 
 
 def _report(findings: Iterable[Observation]) -> int:
-    """Print findings as they come, a line each: a port may take seconds to answer."""
+    """Print each finding immediately, since a port may take seconds to answer."""
     good = True
     for finding in findings:
         good &= finding.good
@@ -133,7 +133,7 @@ def _versions(packages: Sequence[str]) -> Iterator[Observation]:
 
 
 def _version(package: str) -> str:
-    """Return the installed version, empty where there is none."""
+    """Return the installed version, empty without one."""
     try:
         return importlib.metadata.version(package)
     except importlib.metadata.PackageNotFoundError:
@@ -169,7 +169,7 @@ def _folders() -> Iterator[Observation]:
 
 
 def installed_drivers(findings: list[Observation]) -> list[DriverInfo]:
-    """Return the drivers that can be loaded; a broken one becomes a finding."""
+    """Return the loadable drivers; add a finding for each broken one."""
     from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
 
     drivers = []
@@ -182,7 +182,7 @@ def installed_drivers(findings: list[Observation]) -> list[DriverInfo]:
 
 
 def ports() -> Iterator[Observation]:
-    """Name the devices on the serial ports, by USB id and by an inquiry where that is safe."""
+    """Identify the devices on the serial ports by USB id, and by an inquiry where that is safe."""
     from serial.tools import list_ports
 
     broken: list[Observation] = []
@@ -226,7 +226,7 @@ def _port(port: Any, drivers: Sequence[DriverInfo]) -> Iterator[Observation]:
 
 
 def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Observation]:
-    """Yield the finding of a port that the user has not named: an unknown device is no fault."""
+    """Yield the finding of a port not named by the user, where an unknown device is no fault."""
     if inquiry.answer is not None:
         yield Observation(inquiry.port, identity_words(inquiry))
     elif inquiry.problem:
@@ -246,7 +246,7 @@ def _inquiry_finding(inquiry: Inquiry, label: str, known: bool) -> Iterator[Obse
 
 
 def ask_port(port: str) -> Iterator[Observation]:
-    """Examine one port that the user names."""
+    """Examine one port named by the user."""
     from rigapp_drivers.discovery import ask
 
     broken: list[Observation] = []
@@ -287,7 +287,7 @@ def identity_words(inquiry: Inquiry) -> str:
 
 
 def permission_advice(device: str) -> str:
-    """Return what to do about a port that this user may not open."""
+    """Return the remedy for a port that this user may not open."""
     if sys.platform == "win32":
         return "no permission to open it."
     try:
@@ -300,7 +300,7 @@ def permission_advice(device: str) -> str:
 
 
 def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Observation]:
-    """Yield the latency timer of an FTDI adapter; nothing for other ports."""
+    """Yield a finding about the latency timer of an FTDI adapter; nothing for other ports."""
     timer = folder / name / "latency_timer"
     try:
         milliseconds = int(timer.read_text())
@@ -320,9 +320,9 @@ def latency_timer(name: str, folder: Path = USB_SERIAL) -> Iterator[Observation]
 
 
 def port_rules(drivers: Iterable[DriverInfo]) -> str:
-    """Return udev rules that open the ports to the user at the computer, but not to ModemManager.
+    """Return udev rules that open the ports to the local user, but not to ModemManager.
 
-    The known devices are those with a USB id in a driver.
+    They cover devices whose USB id is in a driver.
     """
     known = "".join(
         f'SUBSYSTEM=="usb", ENV{{DEVTYPE}}=="usb_device", ATTR{{idVendor}}=="{vendor:04x}", '
@@ -333,7 +333,7 @@ def port_rules(drivers: Iterable[DriverInfo]) -> str:
 
 
 def rules_advice(folders: Sequence[Path] = RULES_FOLDERS) -> Iterator[Observation]:
-    """Yield whether the udev rules are installed, or how to do it, where there is udev."""
+    """Yield whether the udev rules are installed, or how to install them, on systems with udev."""
     if any((folder / RULES_NAME).exists() for folder in folders):
         yield Observation("Rules for ports", "installed")
     elif folders[0].is_dir():
@@ -348,7 +348,7 @@ def rules_advice(folders: Sequence[Path] = RULES_FOLDERS) -> Iterator[Observatio
 
 
 def can_interfaces(folder: Path = NETWORKS) -> Iterator[Observation]:
-    """Name the CAN interfaces and the nodes whose heartbeat arrives on them."""
+    """List the CAN interfaces with the nodes whose heartbeat is received."""
     from rigapp.prepare.real_rig import can_networks
 
     names = can_networks(folder)
@@ -388,7 +388,7 @@ def _text(path: Path) -> str:
 
 
 def _window() -> Iterator[Observation]:
-    """Test the window's libraries in a separate process: a broken Qt may abort."""
+    """Test the GUI libraries in a separate process, since a broken Qt may abort."""
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
     try:
         done = subprocess.run(

@@ -21,18 +21,18 @@ from rigapp.service.simulated import parse_speed
 from rigapp.texts import sentence_of_error
 
 DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
-"""After the computer's start devices may be ready later: for how long, how often to connect."""
+"""Time and period of attempts to connect after the computer's start, when devices may be late."""
 UNUSED_S = 60.0  # a window may be closed and opened again meanwhile
 CLOSE_S = 120.0
-"""Stopping a test under way may take 60 s of it, and a notifier 30 s."""
+"""Time limit of closing: stopping a running test may take 60 s, a notifier 30 s."""
 
 
 def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: bool = False) -> int:
     """Host an engine for windows until one of them, or a signal, shuts it down.
 
-    bind: see ``security.parse_bind``. stay: also without viewers, as it started with the computer:
-    it reports a test that was cut off, and tries for a while to connect its devices. Without
-    ``stay``, it ends after ``UNUSED_S`` without a test and a viewer.
+    bind: see ``security.parse_bind``. stay: run without viewers, for an engine started with the
+    computer: it reports a test that was cut off, and tries for some minutes to connect its devices.
+    Without ``stay``, it ends after ``UNUSED_S`` without test and viewer.
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
@@ -54,9 +54,9 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
 
 
 def close_host(host: EngineHost, signals: list[str]) -> None:
-    """Close a host at the end of its process, which ends even if something hangs.
+    """Close a host at the end of its process, which ends even if a thread hangs.
 
-    signals: as ``termination_signals`` collects them.
+    signals: collected by ``termination_signals``.
     """
     shutdown_with_timeout(
         host.close,
@@ -68,9 +68,9 @@ def close_host(host: EngineHost, signals: list[str]) -> None:
 
 
 def _connect_quietly(host: EngineHost, patience_s: float = 0.0) -> None:
-    """Connect at once, so that the window shows live values; a failure is in the state.
+    """Connect immediately, so that the window shows live values; the state shows a failure.
 
-    patience_s: for so long it is tried again, unless a viewer attaches or the state changes.
+    patience_s: time of repeated attempts, until a viewer attaches or the state changes.
     """
     until = time.monotonic() + patience_s
     while True:

@@ -106,12 +106,12 @@ def write_report(
     settings: Path | None = None,
     language: str = "",
 ) -> int:
-    """Write the report of a test file; an earlier report of that name is replaced as a whole.
+    """Write the report of a test file, replacing an earlier report; return the exit status.
 
-    as_json: print its texts and tables, in place of the sentence. settings: a report.toml, else the
-    one beside the test or of the user. language: its code, else the one of the settings. Returns
-    the exit status. Raises UnusableInput for another ending, a file that is not a test, a target
-    that cannot be written, and without target and ``as_json``.
+    as_json: print its texts and tables instead of a sentence. settings: a report.toml, by default
+    the one beside the test or of the user. language: its code, by default that of the settings.
+    Raises UnusableInput for another suffix, a file that is not a test, a target that cannot be
+    written, and without target and ``as_json``.
     """
     if to is None and not as_json:
         raise UnusableInput("Name the report to write, --to REPORT.html or .pdf, or ask for --json")
@@ -136,9 +136,9 @@ def write_report(
 
 
 def draw_figure(path: Path, to: Path, figure: str, width_mm: float) -> int:
-    """Draw a figure of a test file, the first one without a name; return the exit status.
+    """Draw a figure of a test file, by default the first available; return the exit status.
 
-    Raises UnusableInput for another name or ending, a file that is not a test, and a target that
+    Raises UnusableInput for another name or suffix, a file that is not a test, and a target that
     cannot be written.
     """
     ending = _checked_ending(to, "a figure", (".svg", ".pdf", ".png"))
@@ -191,7 +191,7 @@ NAMES = {
 
 
 def verify_file(path: Path, *, as_json: bool) -> int:
-    """Check a file by its checksums and print which part differs; return 1 where one does."""
+    """Check a file by its checksums and print the differing parts; return 1 where one differs."""
     with open_test(path) as reader:
         checksums, compressed = reader.plan.checksums, reader.compressed
         damage = list(find_damage(reader))
@@ -242,7 +242,7 @@ def close_file(path: Path) -> int:
 
 
 def salvage_file(path: Path, to: Path) -> int:
-    """Write what checksums confirm into a new file and print what is lost; return the status."""
+    """Write the confirmed data into a new file, print the losses and return the exit status."""
     salvaged = salvage_test(path, to)
     print(say("{}: salvaged from {}.", to, path))
     for name, rows in salvaged.kept.items():
@@ -256,15 +256,15 @@ def salvage_file(path: Path, to: Path) -> int:
 
 
 SHORTEST_NAME = 4
-"""Shorter names of computers are part of many words by chance."""
+"""Minimum length of a computer's name; shorter ones occur in many words by chance."""
 
 
 def package_tests(
     paths: Sequence[Path], to: Path, authors: Sequence[str], licence: str, *, allow_private: bool
 ) -> int:
-    """Write the package of tests; return the exit status, 1 when something private is in them.
+    """Write the package of tests; return the exit status, 1 when they contain private data.
 
-    Raises UnusableInput for a test that runs, no author, an unknown licence, an existing target.
+    Raises UnusableInput for a running test, no author, an unknown licence, an existing target.
     """
     from rigapp.publishing.package import private_in, published, refuse_target, write_package
 
@@ -288,7 +288,7 @@ def package_tests(
 
 
 def _this_computer() -> frozenset[str]:
-    """Return the names of this computer by which it can be told from others."""
+    """Return the names of this computer that identify it."""
     name = socket.gethostname()
     names = {name, name.partition(".")[0]}
     return frozenset(name for name in names if len(name) >= SHORTEST_NAME and name != "localhost")
@@ -297,10 +297,10 @@ def _this_computer() -> frozenset[str]:
 def identify_tests(
     paths: Sequence[Path], to: Path | None, *, as_json: bool, after: int | None = None
 ) -> int:
-    """Print what is known of the wear of tests, and write it; return the exit status.
+    """Print and write the identified wear of tests; return the exit status.
 
-    after: as it was known after a revolution. Status 1 when one of them is not identifiable.
-    Raises UnusableInput for a file that is no test, or a target that cannot be written.
+    after: use only data up to a revolution. Status 1 when a test is not identifiable. Raises
+    UnusableInput for a file that is not a test, or a target that cannot be written.
     """
     ending = _checked_form(to) if to is not None else ""
     from rigapp.report.testreport.identified import identified_tests
@@ -324,7 +324,7 @@ FORMS = (*ENDINGS, ".csv", ".json")
 
 
 def _checked_form(to: Path) -> str:
-    """Return the ending of the target, before anything is computed; raise UnusableInput."""
+    """Return the target's suffix, checked before the computation; raises UnusableInput."""
     ending = to.suffix.lower()
     if ending not in FORMS:
         raise UnusableInput(f"--to {to}: the name must end with one of {', '.join(FORMS)}.")

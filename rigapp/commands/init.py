@@ -38,7 +38,7 @@ NEXT_REAL = (
 
 
 def prepare_folder(folder: Path) -> int:
-    """Write the starting files, and compile the kernels of a first test; exit status.
+    """Write the starting files, compile the kernels of a first test; return the exit status.
 
     Raises UnusableInput as ``write_files``.
     """
@@ -52,17 +52,17 @@ def prepare_folder(folder: Path) -> int:
 def start_folder(folder: Path) -> None:
     """Write the starting files into a folder, all or none, and list them.
 
-    Raises UnusableInput, and writes nothing, when one of them is there already.
+    Raises UnusableInput, and writes nothing, when one of them exists.
     """
     _fill(folder, list(starting_files(examples_folder())), ABOUT)
 
 
 def prepare_real_folder(folder: Path, named: Mapping[str, tuple[str, str]]) -> int:
-    """Write the files of a real rig into a folder; exit status.
+    """Write the files of a real rig into a folder; return the exit status.
 
-    named: name of a device -> driver and port by options, empty where not given. Missing ones are
-    entered on a terminal. Raises UnusableInput for an unknown driver, for a missing one without a
-    terminal, and when a file is there already.
+    named: name of a device -> driver and port from options, empty where not given. Missing values
+    are entered on a terminal. Raises UnusableInput for an unknown driver, for a missing one without
+    a terminal, and when a file exists.
     """
     ports = search_ports() if not all(port for _, port in named.values()) else []
     if ports and sys.stdin.isatty():
@@ -82,13 +82,13 @@ def prepare_real_folder(folder: Path, named: Mapping[str, tuple[str, str]]) -> i
 
 
 def print_schema(kind: str) -> int:
-    """Print the JSON Schema of a kind of file; raise UnusableInput for another word."""
+    """Print the JSON Schema of a kind of file; raises UnusableInput for an unknown kind."""
     print(schema_text(kind), end="")
     return 0
 
 
 def _fill(folder: Path, files: list[StartingFile], about: Mapping[str, str]) -> None:
-    """Write files into a folder and list them; about: path -> what it is."""
+    """Write files into a folder and list them; about: path -> description."""
     write_files(folder, files)
     print(f"{folder} holds now:")
     width = max(len(str(file.path)) for file in files)
@@ -107,7 +107,7 @@ def _print_next(folder: Path, commands: Sequence[str]) -> None:
 
 
 def _box(name: str, driver: str, port: str, ports: Sequence[FoundPort]) -> Box:
-    """Return a device by its option, by the search, or by an answer on the terminal."""
+    """Return a device from its option, the search, or an answer on the terminal."""
     words, fitting = ROLES[name].words, drivers_of(name)
     answering = {other.driver: other for other in reversed(ports) if other.driver in fitting}
     if not driver:
@@ -123,7 +123,7 @@ def _box(name: str, driver: str, port: str, ports: Sequence[FoundPort]) -> Box:
 
 
 def _port_of(info: DriverInfo, ports: Sequence[FoundPort]) -> str:
-    """Return the port of a device: the one that answers, or one that is typed; may be empty."""
+    """Return the port of a device: the one that answers, or a typed one; may be empty."""
     answering = [port.name for port in ports if port.driver == info.name]
     if len(answering) == 1:
         print(f"{info.title}: found on {answering[0]}.")
@@ -137,7 +137,7 @@ def _port_of(info: DriverInfo, ports: Sequence[FoundPort]) -> str:
 
 
 def _choose(question: str, choices: Sequence[str], first: str, option: str = "") -> str:
-    """Return one of some choices, typed as a number or the word itself."""
+    """Return one of the choices, typed as its number or text."""
     if not sys.stdin.isatty():
         raise UnusableInput(f"Say {option} {' or '.join(choices)}; there is no terminal to ask on.")
     for number, choice in enumerate(choices, 1):

@@ -12,14 +12,14 @@ from rigapp.config.errors import UnusableInput
 
 
 def check_time_limit(limit_s: float | None) -> None:
-    """Refuse a time limit that is not a finite time above 0."""
+    """Refuse a time limit that is not finite and above 0."""
     if limit_s is not None and not (math.isfinite(limit_s) and limit_s > 0.0):
         raise UnusableInput(f"--time-limit-s {limit_s:g}: give a finite time above 0.")
 
 
 @contextmanager
 def bar(label: str) -> Iterator[Callable[[float, float], None] | None]:
-    """Yield a function that shows the progress: a bar on a terminal, None on a pipe."""
+    """Yield a function that shows the progress as a bar on a terminal, None on a pipe."""
     if not sys.stderr.isatty():
         yield None
         return
@@ -33,9 +33,9 @@ def bar(label: str) -> Iterator[Callable[[float, float], None] | None]:
 
 @contextmanager
 def watched(label: str, limit_s: float | None) -> Iterator[Callable[[float], None]]:
-    """Yield a function that a computation calls with the part done, 0 to 1, shown by ``bar``.
+    """Yield a function that shows the completed share of a computation, 0 to 1, by ``bar``.
 
-    It raises the model's OutOfTime when ``limit_s`` seconds have passed since the beginning.
+    It raises the model's OutOfTime when ``limit_s`` seconds have passed since the start.
     """
     from rigapp_model.errors import OutOfTime
 

@@ -41,13 +41,13 @@ STATUS = {
     FinishReason.INTERNAL: 1,
     FinishReason.DEVICE: 3,
 }
-"""How a test ended -> exit status."""
+"""Outcome of a test -> exit status."""
 
 HANGING_S = 10.0
-"""After an interruption a device that is being opened is waited for so long."""
+"""Longest wait, after an interruption, for a device that is being opened."""
 
 OFF_S = 3.0
-"""So long the power takes to be off before a further interruption ends the process."""
+"""Time for powering off before a further interruption ends the process."""
 
 
 class Progress(Protocol):
@@ -72,7 +72,7 @@ def run_test(
 ) -> int:
     """Run one test into a new file; return the exit status.
 
-    record_wire: where the lines of the devices are recorded.
+    record_wire: path for the recordings of the device lines.
     """
     document = with_revolutions(read_test(test), revolutions)
     return _conduct(
@@ -91,7 +91,7 @@ def resume_test(
 ) -> int:
     """Resume an interrupted test in its own file; return the exit status.
 
-    reason: why it may resume in spite of what ``resumption`` found; goes into the log.
+    reason: for resuming despite the findings of ``resumption``; logged.
     """
     ended = end_whole_test(file)
     if ended is not None:
@@ -103,7 +103,7 @@ def resume_test(
 
 
 def examine_test(file: Path, rig: Path) -> int:
-    """Show what a resumed test would find; 1 when it could not resume as it is."""
+    """Show the findings for resuming a test; return 1 when it cannot be resumed."""
     document = read_rig(rig)
     with ending_as_interrupt():
         host = EngineHost(document, parse_speed(None, document))
@@ -176,7 +176,7 @@ def _conduct(
 
 
 def show_resumption(past: Resumption) -> None:
-    """Print what was recorded and what differs to standard error, one line each."""
+    """Print recorded state and differences to standard error, a line for each."""
     last = ""
     if past.last_at:
         at = datetime.fromtimestamp(past.last_at, UTC).isoformat(" ", "seconds")
@@ -197,7 +197,7 @@ def show_resumption(past: Resumption) -> None:
 
 
 def _refuse_bad_target(out: Path) -> None:
-    """Refuse a target before anything is started."""
+    """Refuse an unusable target before the start."""
     if out.exists() or out.is_symlink():
         raise UnusableInput(
             f"{out}: the file exists and is not overwritten; give another name, or use"
@@ -216,10 +216,10 @@ def _report(end: Finished) -> int:
 
 
 class Interruption:
-    """Handle Ctrl-C, kill and a closed terminal, even if something hangs.
+    """Handle Ctrl-C, kill and a closed terminal, even if a thread hangs.
 
-    While a test is under way the first signal stops it under control, the second powers off the
-    drive, a third ends the process. Before, the first cancels the start, or ends the process.
+    During a test the first signal stops it under control, the second powers off the drive, a third
+    ends the process. Before a test, the first cancels the start, or ends the process.
     """
 
     def __init__(self, host: EngineHost, signals: list[str]) -> None:
@@ -235,7 +235,7 @@ class Interruption:
         return self._signals[0] if self._signals else ""
 
     def obey(self, starting: Background[None]) -> None:
-        """Handle the signals so far; to be called again and again, never waits."""
+        """Handle the signals received so far; to be called periodically, never blocks."""
         if not self._signals:
             return
         host, now = self._host, time.monotonic()
@@ -271,7 +271,7 @@ def _follow(
     interruption: Interruption,
     out: Path,
 ) -> int:
-    """Show milestones until the test has ended or could not start; the exit status."""
+    """Show milestones until the test ends or fails to start; return the exit status."""
     while True:
         interruption.obey(starting)
         notice = host.notices.get(0.1)
@@ -286,7 +286,7 @@ def _follow(
 def _not_started(
     error: BaseException, shown: Progress, interruption: Interruption, out: Path
 ) -> int:
-    """Return the exit status of an interrupted start; raise what else prevented it."""
+    """Return the exit status of an interrupted start; raise any other error."""
     if not isinstance(error, Refused):
         raise error
     if interruption.cause:
@@ -305,21 +305,21 @@ def _not_started(
 
 
 class _Json:
-    """One JSON object a line on standard output."""
+    """Write one JSON object per line to standard output."""
 
     def notice(self, notice: Notice) -> None:
         try:
             print(json_bytes(notice).decode(), flush=True)
         except OSError:
-            # The reader has ended, which is no reason to end a test.
-            sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - to the end of the process
+            # A closed pipe must not end a test.
+            sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - open until the process ends
 
     def close(self) -> None:
         pass
 
 
 class _Quiet:
-    """Nothing on a pipe."""
+    """Show nothing, for a pipe."""
 
     def notice(self, notice: Notice) -> None:
         pass
@@ -329,7 +329,7 @@ class _Quiet:
 
 
 class _Bar:
-    """A progress bar on a terminal."""
+    """Show a progress bar on a terminal."""
 
     def __init__(self, test: TestFile) -> None:
         from rich.console import Console

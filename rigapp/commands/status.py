@@ -25,7 +25,7 @@ ANSWER_S = 5.0  # far longer than a running engine takes
 
 
 def show_engines(rig: Path | None, *, as_json: bool) -> int:
-    """Print the engines of this computer, and one that RIGAPP_ENGINE names; 1 when there is none.
+    """Print the engines of this computer and that of RIGAPP_ENGINE; return 1 without engines.
 
     rig: only the engine of this rig file. An engine that does not answer is listed with the reason.
     """
@@ -85,7 +85,7 @@ def _requested(entry: Any) -> dict[str, Any]:
 
 
 def _state_words(result: Any) -> dict[str, str]:
-    """Return the state of a status in a word and in a line, as the window shows them."""
+    """Return the state of a status as a word and as a line, as in the window."""
     from rigapp.presentation.states import state_details, state_line, state_word
 
     status = Status.of_tree(result)
@@ -94,7 +94,7 @@ def _state_words(result: Any) -> dict[str, str]:
 
 
 def _indented(text: str) -> list[str]:
-    """Return the lines of a text with its details below it."""
+    """Return the lines of a text, with its details below it."""
     from rigapp.schema.details import indented
 
     return [f"  {line}" for line in indented(text).splitlines()]
@@ -125,9 +125,9 @@ def _lines(engine: dict[str, Any]) -> list[str]:
 
 
 def reset_drive(rig_path: Path, load: LoadDriver = load_driver) -> int:
-    """Reset the fault of the drive, after its cause is removed; return the exit status.
+    """Reset the fault of the drive after its cause is removed; return the exit status.
 
-    The motor stays without power. Raises UnusableInput while an engine has the drive, DeviceError
+    The motor stays without power. Raises UnusableInput while an engine uses the drive, DeviceError
     when the drive does not answer or keeps its fault.
     """
     if find_engine(rig_path) is not None:
@@ -149,20 +149,20 @@ def reset_drive(rig_path: Path, load: LoadDriver = load_driver) -> int:
 
 
 def _held(status: DriveStatus) -> str:
-    """Return what prevents a drive from turning, in words; empty when nothing does."""
+    """Return what prevents a drive from turning as text; empty when nothing does."""
     stop = ("the emergency stop",) if status.emergency_stop else ()
     return ", ".join((*stop, *status.faults))
 
 
 PACKING_S = 120.0
-"""Recordings of all devices, each bounded to some hundred megabytes, are packed within it."""
+"""Time limit for packing the recordings of all devices, each of some hundred megabytes at most."""
 LOOK_S = 0.2
 MARKS = {RecordKind.SENT: ">", RecordKind.RECEIVED: "<", RecordKind.NOTE: "#"}
 SHOWN_BYTES = 64
 
 
 def show_line(path: Path, *, raw: bool = False) -> int:
-    """Print a recorded line; status 1 where the file is damaged. Raises UnusableInput."""
+    """Print a recorded line; return 1 where the file is damaged. Raises UnusableInput."""
     try:
         trace = read_trace(path)
     except TraceError as error:
@@ -180,10 +180,10 @@ def show_line(path: Path, *, raw: bool = False) -> int:
 
 
 def report_lines(rig: Path, to: Path, seconds: float) -> int:
-    """Record the lines of a rig's devices for a report of an error; exit status.
+    """Record the lines of a rig's devices for a bug report; return the exit status.
 
-    Its engine does it, started where none runs; the devices are connected anew unless the rig is
-    occupied. Raises UnusableInput, EngineUnreachable.
+    The rig's engine records them, and is started if necessary; the devices are reconnected unless
+    the rig is occupied. Raises UnusableInput, EngineUnreachable.
     """
     read_rig(rig)
     file = to.resolve()
@@ -206,7 +206,7 @@ def report_lines(rig: Path, to: Path, seconds: float) -> int:
 
 
 def _report_sentence(client: Client) -> str:
-    """Return the result of the report, empty while it is recorded."""
+    """Return the result of the report, empty during the recording."""
     report = Status.of_tree(client.request("status").result).engine.line_report
     return report.sentence if report is not None else ""
 

@@ -1,4 +1,4 @@
-"""`rigapp study`: a parameter study on Dask, its table, pictures and sensitivities."""
+"""`rigapp study`: a parameter study on Dask with table, plots and sensitivities."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 def make_study(path: Path, folder: Path, scheduler: str, workers: int | None) -> int:
     """Run or resume a study; return the exit status.
 
-    0: all points have a result; 1: some have none, or it was interrupted. Raises UnusableInput.
+    0: all points have a result; 1: some have none, or the study was interrupted. Raises
+    UnusableInput.
     """
     with from_extra("studies", "A study"):
         from rigapp.study.running import read_study, run_study

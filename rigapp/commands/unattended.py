@@ -1,4 +1,4 @@
-"""What runs unattended: the queue of tests, messages, and what starts with the computer."""
+"""Unattended operation: queue of tests, messages, and services that start with the computer."""
 
 from __future__ import annotations
 
@@ -45,19 +45,19 @@ LOOK_EVERY_S = 0.2
 
 
 def queue_tests(tests: Sequence[Path], rig: Path, folder: Path) -> int:
-    """Put tests at the end of a rig's queue and print it; raise UnusableInput. Exit status."""
+    """Append tests to a rig's queue and print it; return the exit status. Raises UnusableInput."""
     from rigapp.service.rigqueue import add_tests
 
     return _shown_queue(add_tests(_store(rig), read_rig(rig).record, tests, folder))
 
 
 def unqueue_tests(numbers: Sequence[int], rig: Path) -> int:
-    """Take tests out of a rig's queue and print it; raise UnusableInput. Exit status."""
+    """Remove tests from a rig's queue, print it, return the exit status. Raises UnusableInput."""
     return _shown_queue(_store(rig).change(lambda queue: removed(queue, list(numbers))))
 
 
 def show_queue(rig: Path, *, as_json: bool) -> int:
-    """Print a rig's queue; raise UnusableInput. Exit status."""
+    """Print a rig's queue; return the exit status. Raises UnusableInput."""
     queue = _store(rig).read()
     if as_json:
         print(msgspec.json.format(json_bytes(queue)).decode())
@@ -66,9 +66,9 @@ def show_queue(rig: Path, *, as_json: bool) -> int:
 
 
 def start_queue(rig: Path, operator: str) -> int:
-    """Let the rig's engine, started where none runs, run the queue. Exit status.
+    """Make the rig's engine, started if necessary, run the queue; return the exit status.
 
-    Returns when the first test runs. Raises UnusableInput where it is refused.
+    Returns when the first test runs. Raises UnusableInput for a refusal.
     """
     from rigapp.service.launch import attach
 
@@ -84,7 +84,7 @@ def start_queue(rig: Path, operator: str) -> int:
 
 
 def stop_queue(rig: Path, operator: str) -> int:
-    """Pause the queue after the running test. Exit status."""
+    """Pause the queue after the running test; return the exit status."""
     from rigapp.service.client import Client
     from rigapp.service.launch import find_engine
 
@@ -112,7 +112,7 @@ def _queue_after(client: Any, verb: str) -> Queue:
 
 
 def _wait_for_devices(client: Any) -> None:
-    """Wait while the engine opens its devices; the start reports what is wrong with them."""
+    """Wait while the engine opens its devices; the start reports their problems."""
     deadline = time.monotonic() + CONNECTING_S
     while client.request("status").result["state"] in ("idle", "connecting"):
         if time.monotonic() > deadline:
@@ -129,7 +129,7 @@ def _shown_queue(queue: Queue) -> int:
 
 
 def show_ways(rig: Path | None) -> int:
-    """Print each way, its occasions, and what waits for it."""
+    """Print each notification channel, its topics, and its waiting messages."""
     ways = _ways(rig)
     known = {}
     if rig is not None:
@@ -151,7 +151,7 @@ def show_ways(rig: Path | None) -> int:
 
 
 def try_ways(rig: Path | None) -> int:
-    """Send one message by every way and print the result; 1 when one was not sent."""
+    """Send a message through every channel and print the results; return 1 after a failure."""
     ways = _ways(rig)
     wrong = inspected(ways)
     if wrong:
@@ -184,12 +184,12 @@ def _ways(rig: Path | None) -> DeliveryChannels:
     return ways
 
 
-# `rigapp service`: engines and page that start with the computer, as systemd units of the user.
-# Such an engine connects its devices and reports a test that was cut off; nothing turns.
+# `rigapp service`: engines and page started with the computer, as systemd units of the user.
+# Such an engine connects its devices and reports a test that was cut off; nothing moves.
 
 PAGE = "rigapp-page.service"
 STOP_S = 150
-"""An engine stops the spindle and ends its file within 120 s, its messages included."""
+"""Time limit of systemd: an engine stops the spindle and ends its file and messages in 120 s."""
 SYSTEMCTL_S = 60.0
 
 UNIT = """\
@@ -209,12 +209,12 @@ RestartSec=10
 WantedBy=default.target
 """
 ENGINE_ENDING = f"KillMode=mixed\nTimeoutStopSec={STOP_S}\n"
-"""Only the engine receives the signal; it ends simulation, twin and messages at standstill."""
+"""Only the engine receives the signal; it ends simulation, twin and notifier at standstill."""
 
 
 @dataclass(frozen=True, slots=True)
 class SystemdUnit:
-    """One unit: name of its file, its text, and its subject (a rig file, or the page)."""
+    """One unit: file name, text, and subject (a rig file, or the page)."""
 
     name: str
     text: str
@@ -222,7 +222,7 @@ class SystemdUnit:
 
 
 def engine_unit(rig: Path) -> SystemdUnit:
-    """Return the unit of a rig's engine; raise UnusableInput where the rig file is not usable."""
+    """Return the unit of a rig's engine; raises UnusableInput for an unusable rig file."""
     document = read_rig(rig)
     of = str(rig.resolve())
     name = " ".join(document.record.name.split()) or rig.stem
@@ -240,7 +240,7 @@ def _unit_name(rig: Path) -> str:
 def page_unit(
     bind: str, token: Path | None = None, certificate: Path | None = None, key: Path | None = None
 ) -> SystemdUnit:
-    """Return the unit of the page, which listens as ``rigapp page`` does."""
+    """Return the unit of the page, with the options of ``rigapp page``."""
     words = [*PROGRAM, "page", "--bind", bind]
     for option, path in (("--token", token), ("--certificate", certificate), ("--key", key)):
         if path is not None:
@@ -253,7 +253,7 @@ PROGRAM = module_command("rigapp")
 
 
 def escaped(text: str) -> str:
-    """Return a text as a unit's value, with the characters escaped that systemd would replace."""
+    """Return a text as a unit's value, with the characters escaped that systemd replaces."""
     return text.replace("\\", "\\\\").replace("%", "%%")
 
 
@@ -270,9 +270,9 @@ def units_folder() -> Path:
 
 
 def install_units(units: Sequence[SystemdUnit]) -> int:
-    """Write units, enable and start them; print what was done. Exit status.
+    """Write, enable and start units; print the result and return the exit status.
 
-    Raises UnusableInput where a unit of that name is another rig's.
+    Raises UnusableInput where a unit of that name belongs to another rig.
     """
     folder = units_folder()
     for unit in units:
@@ -304,9 +304,10 @@ def rules_folder() -> Path:
 
 
 def install_rules(folder: Path | None = None) -> int:
-    """Write the udev rules for the ports where this user may; else print what to run. Exit status.
+    """Write the udev rules for the ports, or print the command for it; return the exit status.
 
-    Nothing is done where the rules are up to date, or without udev.
+    The command is printed where this user may not write. Nothing is done where the rules are up to
+    date, or without udev.
     """
     folder = folder or rules_folder()
     path, text = folder / RULES_NAME, port_rules(installed_drivers([]))
@@ -330,16 +331,16 @@ def install_rules(folder: Path | None = None) -> int:
 
 
 def show_units(units: Sequence[SystemdUnit]) -> int:
-    """Print units as they would be written. Exit status."""
+    """Print units as they would be written; return the exit status."""
     for unit in units:
         print(f"# {units_folder() / unit.name}\n{unit.text}")
     return 0
 
 
 def remove_units(rigs: Sequence[Path]) -> int:
-    """Stop and disable the engines of rigs, without rigs all and the page. Exit status.
+    """Stop and disable the engines of rigs, by default all and the page; return the exit status.
 
-    Raises UnusableInput where nothing of the kind is installed.
+    Raises UnusableInput where no such unit is installed.
     """
     folder = units_folder()
     there = {path.name: _owner(path) for path in sorted(folder.glob("rigapp-*.service"))}
@@ -355,7 +356,7 @@ def remove_units(rigs: Sequence[Path]) -> int:
 
 
 def _owner(path: Path) -> str:
-    """Return the subject of a unit file, empty where there is none."""
+    """Return the subject of a unit file, empty without one."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except FileNotFoundError:
@@ -367,12 +368,12 @@ def _owner(path: Path) -> str:
 
 
 def _systemctl(*arguments: str) -> bool:
-    """Call the user's systemd; print on standard error why it failed."""
+    """Call the user's systemd; print the reason for a failure on standard error."""
     return _ran("systemctl", "--user", *arguments)
 
 
 def _ran(program: str, *arguments: str) -> bool:
-    """Run a program of the system; print on standard error why it failed."""
+    """Run a program of the system; print the reason for a failure on standard error."""
     command = " ".join((program, *arguments[:2]))
     if shutil.which(program) is None:
         print(f"rigapp: there is no {program} here; the files are as told.", file=sys.stderr)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def open_window(rig: Path | None, test: Path | None, *, start: bool, language: str = "") -> int:
     """Show the operator's window until it is closed; return the exit status.
 
-    language: the code of the one to use from now on; empty: as chosen before, or the system's.
+    language: code of the language to store and use; empty: the stored one, or the system's.
     """
     begin_to_load()
     rig_path = (rig or examples_folder() / RIG).resolve()
@@ -56,7 +56,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
 
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:
-    """Return the test files to list: the named one, then those beside the rig, shortest first."""
+    """Return the test files to list: the named one, then those in the rig's folder by length."""
     result: list[Path] = []
     if test is not None:
         read_test(test)
@@ -74,13 +74,13 @@ def _tests(rig: Path, test: Path | None) -> list[Path]:
 
 
 def replay_file(path: Path) -> int:
-    """Show a recorded test in the same window; return the exit status."""
+    """Replay a recorded test in the operator's window; return the exit status."""
     from rigapp.replay.client import ReplayClient, read_recording
     from rigapp.storage import blocks, open_test
 
-    with open_test(path) as test:  # a damaged file is refused before there is a window
+    with open_test(path) as test:  # a damaged file is refused before the window opens
         read_recording(test)
-        # What the first page draws; the other columns are read when they are looked at.
+        # Columns of the first page; others are read when they are shown.
         for _ in blocks(test, ("force_max", "force_min", "force_rms", "speed")):
             pass
     from rigapp.gui.window.app import main
@@ -93,7 +93,7 @@ def replay_file(path: Path) -> int:
 def serve_page(
     rigs: Sequence[Path], bind: str, token: Path | None, certificate: Path | None, key: Path | None
 ) -> int:
-    """Serve the page until somebody asks for the end; print its address first. Exit status."""
+    """Print the page's address and serve it until a termination signal; return the exit status."""
     with from_extra("page", "The page"):
         from rigapp.page.serving import page_server
     server = page_server(rigs, bind, token, certificate, key)

@@ -1,1 +1,1 @@
-"""Rig and test files: their allowed content, reading, checks, and errors in plain sentences."""
+"""Rig and test files: allowed content, reading, checks, and errors as plain sentences."""

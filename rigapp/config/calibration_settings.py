@@ -1,4 +1,4 @@
-"""The settings file of a calibration: the text side, with the units in the keys."""
+"""The settings file of a calibration: its text form, with units in the keys."""
 
 from __future__ import annotations
 
@@ -15,12 +15,13 @@ from rigapp_calibration.load_cell.weights import Place, WeightSet, normal_gravit
 from rigapp_calibration.probes.readings import ProbeSettings
 
 WEIGHTS_UNCERTAINTY = 5e-5
-"""Relative standard uncertainty of weights of which nothing is stated: of class M1 (OIML R 111)."""
+"""Relative standard uncertainty of weights without a stated one: class M1 (OIML R 111)."""
 LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
-"""Relative: of a value from latitude and height, and of a stated local value."""
+"""Relative standard uncertainty of gravity from latitude and height, and of a stated local
+value."""
 WITH_THE_READINGS = within(-math.inf, math.inf)
-"""Any number: ``rigapp_calibration.load_cell.settings`` judges it, beside the readings."""
+"""Any number: ``rigapp_calibration.load_cell.settings`` checks it together with the readings."""
 
 
 class CellSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -61,8 +62,8 @@ class WeightsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     def relative_uncertainty(self) -> float:
         """Return the relative standard uncertainty of any load.
 
-        The errors of all pieces may have the same sign (one laboratory compared them with one
-        standard), so that a load is known as well as its worst piece.
+        The errors of all pieces may be correlated (one laboratory compared them with one standard),
+        so that the uncertainty of a load is that of its worst piece.
         """
         if self.relative_standard_uncertainty is not None:
             return self.relative_standard_uncertainty
@@ -104,8 +105,8 @@ class AngleSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class UseSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[use]: changes from the calibration to a test, each at most so much; part of U.
 
-    The defaults are those of a good strain-gauge cell in a room that is not air-conditioned; 0
-    leaves a part out. cross_terms, bend, loop: effects that a calibration does not show.
+    The defaults are those of a good strain-gauge cell in a room without air conditioning; 0 omits a
+    part. cross_terms, bend, loop: effects that a calibration does not show.
     """
 
     temperature_difference_K: Annotated[float, within(0.0, 100.0)] = 5.0
@@ -226,7 +227,7 @@ class RunOutFile(CalibrationFile, frozen=True, forbid_unknown_fields=True, kw_on
 
 
 def load_cell_meaning(file: LoadCellFile, where: str) -> LoadCellSettings:
-    """Return the settings in SI; raise UnusableInput naming ``where`` they come from."""
+    """Return the settings in SI units; raises UnusableInput naming their source ``where``."""
     place = file.place
     expected = None
     if place.latitude_deg is not None:
@@ -277,7 +278,7 @@ def load_cell_meaning(file: LoadCellFile, where: str) -> LoadCellSettings:
 
 
 def _use(use: UseSection, valid_days: int) -> Use:
-    """Return the changes until the record expires, as parts instead of per cent."""
+    """Return the changes until the record expires, as fractions instead of per cent."""
     return Use(
         temperature=use.temperature_difference_K,
         gain_per_kelvin=0.01 * use.gain_percent_per_K,
@@ -296,7 +297,7 @@ def _use(use: UseSection, valid_days: int) -> Use:
 
 
 def probe_meaning(file: ProbeFile) -> ProbeSettings:
-    """Return the settings of a probe in SI."""
+    """Return the settings of a probe in SI units."""
     probe = file.probe
     return ProbeSettings(
         name=probe.name,

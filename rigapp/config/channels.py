@@ -14,12 +14,12 @@ from rigapp.schema.columns import prediction_columns
 from rigapp.texts import joined, say
 
 LONGEST_NAME = 40
-"""Characters of a channel's name: its columns stay readable as headings."""
+"""Maximum length of a channel's name, for which its columns are readable as headings."""
 
 RESERVED = frozenset(
     {"revolution", "first", "count", "quality", "why", "committed", "deviation", "crank_angle"}
 )
-"""Names beside the columns that files and screens use for themselves."""
+"""Reserved names: used by files and screens in addition to the columns."""
 
 _OF_INPUT = (
     "device",
@@ -33,11 +33,11 @@ _OF_INPUT = (
     "calibration",
     "calibration_override",
 )
-"""Keys that mean nothing for a channel with a ``source``."""
+"""Keys that do not apply to a channel with a ``source``."""
 
 
 def channel_table(rig: RigFile) -> ChannelTable:
-    """Return the channels of a rig in their order: ``BASE``, free sampled ones, slow ones."""
+    """Return the channels of a rig in order: ``BASE``, free sampled ones, slow ones."""
     cell, probes = rig.load_cell, rig.probes
     wired: dict[str, Channel] = {"force": BASE["force"]}
     for axis in (1, 2):
@@ -88,7 +88,7 @@ def _channel(name: str, section: ChannelSection) -> Channel:
 
 
 def input_keys(rig: RigFile) -> dict[str, str]:
-    """Return key -> name of every input of the data source that a rig file names."""
+    """Return key -> name of every input of the data source named in a rig file."""
     result = {
         "encoder.input": rig.encoder.input,
         "load_cell.input_1": rig.load_cell.input_1,
@@ -103,7 +103,7 @@ def input_keys(rig: RigFile) -> dict[str, str]:
 
 
 def channel_faults(rig: RigFile) -> Iterator[str]:
-    """Yield what is wrong with the free channels, each with its key."""
+    """Yield the faults of the free channels, each with its key."""
     known = {column.name for column in prediction_columns()} | RESERVED
     taken = dict.fromkeys(known | taken_names(BASE.channels), say("has it already"))
     taken |= dict.fromkeys(

@@ -25,9 +25,9 @@ def commented(
 ) -> str:
     """Return a file of a kind as TOML: the stated keys, and every other key commented out.
 
-    stated: nested tables, as the file would hold them. notes: path of a key -> one more sentence
-    above it. settings: name of a device -> the settings of its driver, each a ``SettingSpec``.
-    without: sections that are left out.
+    stated: nested tables as in the file. notes: path of a key -> an additional sentence above it.
+    settings: name of a device -> the settings of its driver, each a ``SettingSpec``. without:
+    sections to omit.
     """
     keys = {key.path: key for key in keys_of(kind)}
     writer = _Writer(kind, keys, notes or {}, settings or {}, without)
@@ -35,7 +35,7 @@ def commented(
 
 
 class _Writer:
-    """Go through the sections of a kind of file in their order."""
+    """Write the sections of a kind of file in order."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class _Writer:
     ) -> Iterator[str]:
         """Yield the lines below the head of a section; stated is None where it is absent.
 
-        path: with ``*`` for names of the user's own, a dot at the end. name: with these names.
+        path: with ``*`` for user-defined names, a dot at the end. name: with these names.
         """
         tables = []
         for field in msgspec.structs.fields(kind):

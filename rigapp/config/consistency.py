@@ -22,11 +22,11 @@ from rigapp.texts import joined, say, sentence_of_error
 
 SECTIONS = ("spindle", "encoder", "load_cell", "probes")
 CELL_CONDITION = 1e6
-"""Condition number from which a load cell's bridges count as measuring one force: its calibration
-resolves some 1e-4 of the full scale, so the second component is lost even before."""
+"""Condition number above which a load cell's bridges measure only one force: its calibration
+resolves about 1e-4 of the full scale, so that the second component is lost even before."""
 
 ALIGNMENT_CONDITION = 100.0
-"""The same of two probes: their axes would be 1 deg apart, which no mounting has."""
+"""The same for two probes: their axes would be 1 deg apart, which no mounting has."""
 
 
 def faults(record: msgspec.Struct) -> Iterator[str]:
@@ -43,7 +43,7 @@ def faults(record: msgspec.Struct) -> Iterator[str]:
 
 
 def _of_texts(value: object, key: str) -> Iterator[str]:
-    """Refuse characters that no file and no screen can show: readers would cut the text there."""
+    """Yield texts with characters that cannot be stored or shown, at which readers cut a text."""
     if isinstance(value, msgspec.Struct):
         for name in value.__struct_fields__:
             yield from _of_texts(getattr(value, name), f"{key}.{name}".lstrip("."))
@@ -102,7 +102,7 @@ def _of_inputs(rig: RigFile) -> Iterator[str]:
 
 
 def number_faults(rig: RigFile) -> Iterator[str]:
-    """Yield the faults of the numbers of a rig, those of its calibration records too."""
+    """Yield the faults of the numbers of a rig, including those of its calibration records."""
     yield from refusals(rig)
     yield from _of_numbers(rig)
 
@@ -164,7 +164,7 @@ def _condition(matrix: Matrix) -> float:
 def _of_test(test: TestFile) -> Iterator[str]:
     wrong = list(_of_sequence(test))
     yield from wrong
-    # Contradictory steps have no fastest one; the speed of [run] is judged then.
+    # Contradictory steps have no fastest one; the speed of [run] is then checked.
     run = msgspec.structs.replace(test.run, step=()) if wrong else test.run
     yield from overspeed_faults(test.limits, Sequence(run))
     stop, limits = test.stop, test.limits
@@ -196,7 +196,7 @@ def _of_test(test: TestFile) -> Iterator[str]:
 
 
 def overspeed_faults(limits: LimitsSection, sequence: Sequence) -> Iterator[str]:
-    """Yield that the overspeed limit is not above the fastest speed of a test."""
+    """Yield a fault if the overspeed limit is not above the fastest speed of a test."""
     if limits.overspeed_rpm <= sequence.fastest_rpm:
         yield say(
             "limits.overspeed_rpm = {:g} is not above {} = {:g}; the test would trip at once",

@@ -1,4 +1,4 @@
-"""Unusable input, as an error of one sentence."""
+"""Unusable input as an error with one sentence."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rigapp.texts import Sentence, SentenceError, joined, say
 
 
 class UnusableInput(SentenceError):
-    """The sentence says which file and key cannot be used, and what to do; exit status 2."""
+    """Raised for unusable input; the sentence names file, key and remedy. Exit status 2."""
 
 
 _WORDS = {
@@ -26,9 +26,9 @@ _WORDS = {
 
 
 def in_words(error: Exception) -> tuple[str, str]:
-    """Return where a record does not match its type, as a dotted path, and what is wrong there.
+    """Return the dotted path and the fault of a record that does not match its type.
 
-    error: a ``msgspec.ValidationError``; its own names of types become plain words.
+    error: a ``msgspec.ValidationError``, whose type names are replaced by plain words.
     """
     message, _, where = str(error).partition(" - at `$")
     where = where.rstrip("`").lstrip(".")
@@ -55,9 +55,9 @@ Extra = Literal["analysis", "page", "publish", "studies"]
 
 @contextmanager
 def from_extra(extra: Extra, what: str) -> Iterator[None]:
-    """Import the packages of an extra inside it; raise UnusableInput with the way to install it.
+    """Context for importing the packages of an extra; raises UnusableInput with the remedy.
 
-    what: needs it; the beginning of the sentence.
+    what: what needs the extra; the start of the sentence.
     """
     try:
         yield

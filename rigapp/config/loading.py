@@ -1,4 +1,4 @@
-"""Read rig, test and parameter files: every mistake is one sentence with file, key and remedy."""
+"""Read rig, test and parameter files; every fault is one sentence with file, key and remedy."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ KINDS: Mapping[type[msgspec.Struct], str] = {
     TestFile: say("test file"),
     ParameterFile: say("parameter file"),
 }
-"""Names of the kinds of files that are given together, and whose tables differ."""
+"""Names of the kinds of files that are used together and have different tables."""
 
 Record = TypeVar("Record", bound=msgspec.Struct)
 
 
 @dataclass(frozen=True, slots=True)
 class Document(Generic[Record]):
-    """A configuration file as read: its path, its text, and its record."""
+    """A configuration file as read: path, text, and record."""
 
     path: Path
     text: str
@@ -52,8 +52,8 @@ class Document(Generic[Record]):
 class RigRecords:
     """A rig with the numbers of its records. texts: label -> the record as stored, sealed.
 
-    blocking: label -> why the record forbids a start (expired), empty when none does. remarks:
-    label -> the record's number and date, and its parts that cannot be verified.
+    blocking: label -> why the record prevents a start (expired), empty without such records.
+    remarks: label -> the record's number and date, and its parts that cannot be verified.
     """
 
     rig: Document[RigFile]
@@ -63,46 +63,46 @@ class RigRecords:
 
 
 def read_rig(path: Path) -> Document[RigFile]:
-    """Read a rig file; raise UnusableInput."""
+    """Read a rig file; raises UnusableInput."""
     return read_document(path, RigFile)
 
 
 def read_test(path: Path) -> Document[TestFile]:
-    """Read a test file; raise UnusableInput."""
+    """Read a test file; raises UnusableInput."""
     return read_document(path, TestFile)
 
 
 def parse_notify(text: str, name: str) -> NotifyFile:
-    """Read a user's file of message channels from text; raise UnusableInput."""
+    """Read a user's file of notification channels from text; raises UnusableInput."""
     return _record(Path(name), toml_tree(text, name), NotifyFile)
 
 
 def read_parameter_file(path: Path) -> Document[ParameterFile]:
-    """Read a parameter file of the model; raise UnusableInput."""
+    """Read a parameter file of the model; raises UnusableInput."""
     return read_document(path, ParameterFile)
 
 
 def read_parameters(path: Path) -> Parameters:
-    """Read a parameter file into the model's records; raise UnusableInput naming file and key."""
+    """Read a parameter file into the model's records; raises UnusableInput naming file and key."""
     path = Path(path)
     return to_parameters(read_parameter_file(path).record, source=str(path))
 
 
 def parse_parameters(tree: Mapping[str, Any], name: str) -> Parameters:
-    """Return the model's records of a parameter file's tables; raise UnusableInput."""
+    """Return the model's records for the tables of a parameter file; raises UnusableInput."""
     return to_parameters(_record(Path(name), tree, ParameterFile), source=name)
 
 
 def parse_test(text: str, name: str, *, recorded: bool = False) -> TestFile:
-    """Read a test from text; raise UnusableInput.
+    """Read a test from text; raises UnusableInput.
 
-    recorded: it has run already, and is only shown; its ranges are not judged again.
+    recorded: the test has run and is only shown; its ranges are not checked again.
     """
     return _record(Path(name), toml_tree(text, name), TestFile, recorded=recorded)
 
 
 def validated_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]:
-    """Return the test of nested tables, None where it is unusable, and all its mistakes."""
+    """Return the test from nested tables, None if unusable, and all its faults."""
     try:
         record = _decode(Path("test"), tree, TestFile)
     except UnusableInput as error:
@@ -112,12 +112,12 @@ def validated_test(tree: Mapping[str, Any]) -> tuple[TestFile | None, list[str]]
 
 
 def parse_rig(text: str, name: str, *, recorded: bool = False) -> RigFile:
-    """Read a rig from text, recorded as in ``parse_test``; raise UnusableInput."""
+    """Read a rig from text, recorded as in ``parse_test``; raises UnusableInput."""
     return _record(Path(name), toml_tree(text, name), RigFile, recorded=recorded)
 
 
 def read_document(path: Path, record: type[Record]) -> Document[Record]:
-    """Read a TOML file as a record that has a ``schema``; raise UnusableInput."""
+    """Read a TOML file as a record that has a ``schema``; raises UnusableInput."""
     text = read_text(path, LARGEST_SETTINGS_BYTES)
     return Document(path, text, _record(path, toml_tree(text, path), record))
 
@@ -146,7 +146,7 @@ def _decode(path: Path, tree: Mapping[str, Any], record: type[Record]) -> Record
 
 
 def _refuse_another_kind(path: Path, tree: Mapping[str, Any], wanted: type[Record]) -> None:
-    """Refuse a file whose tables are those of another kind: two files given in the wrong order."""
+    """Refuse a file with the tables of another kind, as when two files are interchanged."""
     fitting = [kind for kind in KINDS if set(tree) <= set(_known(kind)[""])]
     if fitting and wanted in KINDS and wanted not in fitting:
         raise UnusableInput(

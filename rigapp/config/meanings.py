@@ -20,10 +20,10 @@ from rigapp.config.recipe import TestFile
 from rigapp.config.rig import RigFile
 
 KINDS: Final[Mapping[str, type[msgspec.Struct]]] = {"rig": RigFile, "test": TestFile}
-"""Files with a schema of their own, by the word of the command line."""
+"""Kinds of files with a schema, by their name on the command line."""
 
 DIALECT: Final = "http://json-schema.org/draft-07/schema#"
-"""Draft 7: the newest that the TOML editors (taplo, Even Better TOML) read."""
+"""Draft 7, the newest one that TOML editors (taplo, Even Better TOML) support."""
 
 
 @functools.cache
@@ -68,7 +68,7 @@ def json_schema(
 ) -> dict[str, Any]:
     """Return the JSON Schema of a kind of file, with meaning, unit and range of each key.
 
-    settings: driver -> the schema of each of its settings, for a rig file; others stay free.
+    settings: driver -> the schema of each of its settings, for a rig file; others are unrestricted.
     """
     root = _table(kind, "", {key.path: key for key in keys_of(kind)}, kind)
     if settings:
@@ -114,7 +114,7 @@ def _table(
 
 
 def tables_in(hint: Any) -> list[type[msgspec.Struct]]:
-    """Return the sections that a type holds, at whatever depth."""
+    """Return the sections in a type, at any depth."""
     if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
         return [hint]
     return [table for part in typing.get_args(hint) for table in tables_in(part)]
@@ -136,7 +136,7 @@ _PLAIN: Final = {int: "integer", float: "number", str: "string", bool: "boolean"
 
 
 def _of_type(hint: Any, allowed: Range) -> dict[str, Any]:
-    """Return the schema of a value that is no section, with the range of its numbers."""
+    """Return the schema of a value that is not a section, with the range of its numbers."""
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     if origin is Annotated:
         return _of_type(parts[0], allowed)

@@ -1,4 +1,4 @@
-"""Names of files: whether one can be written, temporary files included; names of new results."""
+"""File names: validity, temporary files included; names of new results."""
 
 from __future__ import annotations
 
@@ -10,14 +10,15 @@ from pathlib import Path
 from rigapp.texts import say
 
 LONGEST_NAME_BYTES = 239
-"""Most file systems keep names of 255 bytes; files under way have up to 16 more than their own."""
+"""Maximum length of a file name: most file systems allow 255 bytes, and temporary names have up to
+16 more than the final ones."""
 
 LONGEST_PATH_BYTES = 4000
-"""Systems take paths of 4,096 bytes, with the names of files under way."""
+"""Maximum length of a path: systems allow 4,096 bytes, temporary names included."""
 
 
 def name_refusal(path: Path) -> str:
-    """Return why a file of that name cannot be made, without a full stop; empty when it can."""
+    """Return why a file of that name cannot be created, without a full stop; empty if it can."""
     if path.name in ("", ".."):
         return say("{} names no file; give the name of a file", repr(str(path)))
     control = next((character for character in path.name if not character.isprintable()), "")
@@ -47,7 +48,7 @@ def name_refusal(path: Path) -> str:
 
 
 def new_result(folder: Path, name: str) -> Path:
-    """Return the path of a test file that is not there yet: name, moment and ``.h5``."""
+    """Return the path of a new test file: name, time and ``.h5``."""
     stamp = time.strftime("%Y%m%d-%H%M%S")
     path, more = folder / f"{name}-{stamp}.h5", 1
     while path.exists():
@@ -57,7 +58,7 @@ def new_result(folder: Path, name: str) -> Path:
 
 
 def login_name() -> str:
-    """Return the name of the account, empty where the system has none."""
+    """Return the name of the account, empty if the system has none."""
     try:
         return getuser()
     except (KeyError, OSError, ImportError):  # an account without an entry; Python 3.11 on Windows

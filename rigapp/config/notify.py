@@ -1,4 +1,4 @@
-"""``[[notify]]`` and ``[ping]``: messages to people, in a rig file or in the user's own file."""
+"""``[[notify]]`` and ``[ping]``: notifications, in a rig file or in the user's own file."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from rigapp.texts import joined, say
 When = Literal["critical", "warning", "end", "pause", "criterion", "silence", "disk", "daily"]
 
 REFERENCE: Final = re.compile(r"\{([a-z][a-z0-9_]*)\}")
-"""The placeholder of a secret in a URL: its name in braces."""
+"""Placeholder of a secret in a URL: its name in braces."""
 
 CLOCK: Final = re.compile(r"([01]\d|2[0-3]):([0-5]\d)")
-"""A time of the day, as ``daily_at`` has it."""
+"""Time of day in ``daily_at``."""
 
 WAY_NAME: Final = re.compile(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,39}")
 """Pattern of a channel's name, which appears in the log."""
@@ -59,7 +59,7 @@ class NotifyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def notify_faults(ways: Sequence[NotifySection], ping: PingSection | None) -> Iterator[str]:
-    """Yield the faults of channels and ping, each as a sentence that repeats no URL."""
+    """Yield the faults of channels and ping, each as a sentence without any URL."""
     for number, way in enumerate(ways, 1):
         yield from (say("notify {} {}", number, fault) for fault in _of_way(way))
     for name, count in Counter(way.name for way in ways if way.name).items():
@@ -100,7 +100,7 @@ def _of_way(way: NotifySection) -> Iterator[str]:
 
 
 def _password_in(url: str) -> bool:
-    """Return whether a URL holds a password that is no reference."""
+    """Return whether a URL contains a password instead of a reference."""
     try:
         password = urlsplit(REFERENCE.sub("", url)).password
     except ValueError:

@@ -1,7 +1,7 @@
 """The allowed range of a number in a file, at its field: ``Annotated[float, within(0.1, 3000.0)]``.
 
-It is judged by ``config.ranges``, not while a file is read: the values of a recorded test are not
-judged again when it is shown.
+It is checked by ``config.ranges``, not while a file is read: the values of a recorded test are not
+checked again when it is shown.
 """
 
 from __future__ import annotations
@@ -19,8 +19,7 @@ from rigapp.texts import Sentence, say
 class Range:
     """The range of a number, both ends included.
 
-    size: the absolute value is judged. integer: whole numbers only. unit: where the
-    key does not name it.
+    size: the absolute value is checked. integer: integers only. unit: if the key does not name it.
     """
 
     low: float
@@ -40,7 +39,7 @@ class Range:
         return range_ + say(", of either sign") if self.size else range_
 
     def counted(self) -> Range:
-        """Return the range of whole numbers only."""
+        """Return the range restricted to integers."""
         return replace(self, integer=True)
 
 

@@ -1,4 +1,4 @@
-"""The parameter file of the model: its text with units in the keys, and its records in SI."""
+"""The parameter file of the model: text with units in the keys, and records in SI units."""
 
 from __future__ import annotations
 
@@ -134,17 +134,17 @@ class ParameterFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> Parameters:
-    """Turn a parameter file's record into the model's records in SI.
+    """Convert the record of a parameter file into the model's records in SI units.
 
-    ``source`` and ``section`` (for example "model" for the [model] part of a test) are for the
-    message. Raises UnusableInput naming the key, its value in the file's unit, and the remedy.
+    ``source`` and ``section`` (for example "model" for the [model] part of a test) are used in
+    messages. Raises UnusableInput naming the key, its value in the file's unit, and the remedy.
     """
     from rigapp_model.parameters import Bushing, Joint, Material, Mechanism, Parameters, Spring
 
     prefix = (say("{}: ", source) if source else "") + (f"{section}." if section else "")
 
     def build(kind: Any, table: str, record: msgspec.Struct, **more: Any) -> Any:
-        """Build the model's record of a table; a key less its unit is the field."""
+        """Build the model's record of a table; fields are the keys without units."""
         keys = {stem_of(key): key for key in record.__struct_fields__}
         own = {name: key for name, key in keys.items() if name in kind.__dataclass_fields__}
         try:
@@ -167,7 +167,7 @@ def to_parameters(file: ParameterFile, source: str = "", section: str = "") -> P
 
 
 def _law(wear: WearSection | None, coefficient: float, where: str) -> WearLaw:
-    """Return the wear law of a bushing; raise UnusableInput for keys that do not fit it."""
+    """Return the wear law of a bushing; raises UnusableInput for keys that do not fit it."""
     from rigapp_model.parameters import ARCHARD, WearLaw
 
     if wear is None:

@@ -1,7 +1,7 @@
-"""Judge the numbers of files, live changes and requests by the ranges of their fields.
+"""Check the numbers of files, live changes and requests against the ranges of their fields.
 
-A key is the dotted path of a number in its file, ``*`` for a name of the user's own; the unit is
-the one that the key names. Every number must be finite; a field without a range requires no more.
+A key is the dotted path of a number in its file, ``*`` for a user-defined name; the unit is that in
+the key. Every number must be finite; a field without a range has no further restriction.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ from rigapp.texts import Sentence, say
 
 @dataclass(frozen=True, slots=True)
 class Key:
-    """A key of a file that holds no table: its path, type, default and range.
+    """A key of a file that is not a table: path, type, default and range.
 
-    value_type: without None and annotations. choices: the allowed texts, if only these are.
-    words: meaning of its values, where described. default: NODEFAULT when the key is required.
-    optional: the section that holds it may be absent.
+    value_type: without None and annotations. choices: the allowed texts, if restricted. words:
+    meanings of its values, if described. default: NODEFAULT when the key is required. optional: its
+    section may be absent.
     """
 
     path: str
@@ -83,7 +83,7 @@ def _bare(hint: Any) -> Any:
 
 
 def _range_in(hint: Any) -> Range:
-    """Return the range in a type, at whatever depth."""
+    """Return the range in a type, at any depth."""
     for meta in getattr(hint, "__metadata__", ()):
         if isinstance(meta, msgspec.Meta) and "range" in (meta.extra or {}):
             result: Range = (meta.extra or {})["range"]
@@ -109,8 +109,8 @@ RANGES: Final[Mapping[str, Range]] = {
     for key in keys_of(kind)
     if key.range is not ANY
 }
-"""Numbers of test, parameter and rig files; ``devices.NAME.settings`` are judged by the driver's
-own table."""
+"""Ranges in test, parameter and rig files; ``devices.NAME.settings`` are checked by the driver's
+table."""
 
 LEVELS: Final[Mapping[str, Range]] = {
     "N": Range(-10_000.0, 10_000.0),
@@ -119,22 +119,22 @@ LEVELS: Final[Mapping[str, Range]] = {
     "rpm": Range(0.0, 5000.0),
     "deg": Range(-360.0, 360.0),
 }
-"""Unit of a quantity -> the range of a rule's level on it."""
+"""Unit of a quantity -> range of a rule's level for it."""
 
 OTHER_LEVEL: Final = Range(-1e9, 1e9)
-"""The range of a level on a quantity of any other unit."""
+"""Range of a level for a quantity of any other unit."""
 
 
 def unit_of(key: str, allowed: Range | None = None) -> str:
-    """Return the unit of a key for a sentence, empty when there is none."""
+    """Return the unit of a key for a sentence, empty without one."""
     allowed = RANGES.get(key, ANY) if allowed is None else allowed
     return allowed.unit or unit_of_key(key).words
 
 
 def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None = None) -> str:
-    """Return the fault of a key's value, without a full stop; empty when it is right.
+    """Return the fault of a key's value, without a full stop; empty when it is valid.
 
-    allowed, unit: in place of the field's. The likely intended unit is named.
+    allowed, unit: instead of the field's. The sentence suggests the probably intended unit.
     """
     allowed = RANGES.get(key, ANY) if allowed is None else allowed
     unit = unit_of(key, allowed) if unit is None else unit
@@ -184,7 +184,7 @@ def _of_value(key: str, shown: str, value: Any, ranges: Mapping[str, Range]) -> 
 
 
 LONGEST_SHOWN: Final = 1e15
-"""Up to here a number is written out, as an operator types it; a float is exact so far."""
+"""Largest number written without an exponent, as operators type it; floats are exact up to it."""
 
 
 def _shown(value: float) -> str:

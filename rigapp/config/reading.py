@@ -1,4 +1,4 @@
-"""Read a small file by a given path, whatever it is: bounded in size and time."""
+"""Read a small file at a path of any kind, with limits of size and time."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from pathlib import Path
 from rigapp.config.errors import UnusableInput
 from rigapp.texts import say
 
-LARGEST_BYTES = 16 << 20  # far beyond a file that a person writes
+LARGEST_BYTES = 16 << 20  # far more than a file written by hand
 PATIENCE_S = 5.0  # a hanging network folder answers later or never
 HANGING_READS = 8
-"""Reads that may hang at once, in a folder that does not answer, before more are refused."""
+"""Maximum number of hanging reads, as of a folder that does not answer; more are refused."""
 
 _PIECE = 1 << 16
 _hanging = threading.BoundedSemaphore(HANGING_READS)
 
 
 def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
-    """Return the bytes of a file or of a pipe that another process writes into.
+    """Return the bytes of a file, or of a pipe that another process writes.
 
-    Raises UnusableInput for what is neither, is larger than ``largest`` or does not come within
-    PATIENCE_S; OSError as ``open`` does.
+    Raises UnusableInput for other objects, for more than ``largest`` bytes and when they do not
+    arrive within PATIENCE_S; OSError as ``open``.
     """
-    # In a thread of its own: access to an unreachable folder hangs.
+    # In a separate thread, since access to an unreachable folder hangs.
     result: list[bytes | BaseException] = []
 
     def run() -> None:
@@ -55,9 +55,9 @@ def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
 
 
 def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
-    """Return the text of a file, its lines ended by a newline alone; raise UnusableInput.
+    """Return the text of a file with newline line ends; raises UnusableInput.
 
-    A byte order mark before the text is left out. A name that no file can have raises OSError.
+    A byte order mark is removed. An impossible file name raises OSError.
     """
     try:
         text = read_bytes(path, largest).decode("utf-8-sig")
@@ -71,7 +71,7 @@ def read_text(path: Path, largest: int = LARGEST_BYTES) -> str:
 
 
 def _read(path: Path, largest: int) -> bytes:
-    """Read without ever waiting for the other end to be opened."""
+    """Read without waiting for the other end of a pipe to be opened."""
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
     try:
         mode = os.fstat(descriptor).st_mode
@@ -105,8 +105,8 @@ def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
 
 
 def _something_comes(descriptor: int, seconds: float) -> bool:
-    """Wait for bytes or for the end of a pipe; a pipe without a writer yet brings neither."""
-    if sys.platform == "win32":  # where it is no matter of a file's name
+    """Wait for bytes or the end of a pipe; a pipe without a writer provides neither."""
+    if sys.platform == "win32":  # where pipes have no file names
         return True
     watch = select.poll()
     watch.register(descriptor, select.POLLIN)

@@ -24,7 +24,8 @@ Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
 
 MOST_STEPS = 1000
-"""Nobody writes more by hand; they would slow down each use of the sequence."""
+"""Maximum number of steps; more are not written by hand, and would slow each use of the
+sequence."""
 
 
 class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -101,7 +102,7 @@ class LimitsSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class StopSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[stop]: criteria that end the test before its last revolution; the first one that is met.
 
-    A level must be passed in so many judged revolutions in a row as the key beside it says.
+    A level must be passed in the number of consecutive evaluated revolutions of the key beside it.
     """
 
     elapsed_time_h: Annotated[float | None, within(0.001, 100_000.0)] = None
@@ -138,7 +139,7 @@ class PriorSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[prediction]: the model that runs beside the data.
 
-    prior: of the wear coefficient; without one it is known to a decade to either side.
+    prior: of the wear coefficient; without one its uncertainty is a decade to either side.
     """
 
     joint: Annotated[PredictedJoint, JOINT_WORDS] = "continuous"
@@ -147,7 +148,7 @@ class PredictionSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True)
 
 
 MOST_TILES, MOST_PLOTS = 12, 6
-"""Of the operator's own page: more cannot be read at a glance."""
+"""Maximum numbers on the operator's own page; more cannot be read at a glance."""
 
 
 class ViewSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

@@ -1,4 +1,4 @@
-"""``report.toml``: author and customer of a report, the laboratory's texts and logo."""
+"""``report.toml``: author and customer of a report, texts and logo of the laboratory."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import msgspec
 from rigapp.config.errors import UnusableInput
 
 FIELDS: Final = ("file", "title", "specimen", "date")
-"""The placeholders of a report number, each in braces."""
+"""Placeholders of a report number, each in braces."""
 
 
 class LaboratorySection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -40,7 +40,7 @@ class ReportFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def report_number(pattern: str, values: Mapping[str, str]) -> str:
-    """Return a report's number; raise UnusableInput for a pattern with another placeholder."""
+    """Return a report's number; raises UnusableInput for a pattern with another placeholder."""
     try:
         return pattern.format_map({name: values[name] for name in FIELDS})
     except (KeyError, IndexError, ValueError, AttributeError) as error:

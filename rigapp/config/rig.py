@@ -15,14 +15,14 @@ Matrix = tuple[Pair, Pair]
 Orders = tuple[float, ...]
 
 SIMULATED = "simulated"
-"""The port of a simulated device."""
+"""Port of a simulated device."""
 
 
 class PlantSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """[simulation.plant]: the differences of the simulated rig from the model.
 
-    keys.toml explains each. Running-in and change depend on the depth, so that a resumed test goes
-    on the same. Keys after wear_change_depth_um are off by default: examples/harsh.toml has all.
+    keys.toml explains each. Running-in and change depend on the depth, so that a resumed test
+    continues alike. Keys after wear_change_depth_um are off by default; see examples/harsh.toml.
     bushing_creep_um_per_decade: after the first minute.
     """
 
@@ -90,7 +90,7 @@ class DeviceSection(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def simulated(self) -> bool:
-        """Return whether the device is simulated, which its port alone decides."""
+        """Return whether the device is simulated, which is determined by its port alone."""
         return self.port == SIMULATED
 
 
@@ -248,10 +248,10 @@ class RigFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def simulated_samples(self) -> bool:
-        """Return whether the samples are simulated: then their time need not be the clock's."""
+        """Return whether the samples are simulated: their time may differ from the clock's."""
         return self.devices[self.encoder.device].simulated
 
     @property
     def simulated(self) -> bool:
-        """Return whether nothing real turns: drive and data acquisition are simulated."""
+        """Return whether both drive and data acquisition are simulated."""
         return self.simulated_samples and self.devices[self.spindle.device].simulated

@@ -1,4 +1,4 @@
-"""The rules of ``[[limits.rule]]``: their quantities and contradictions."""
+"""The rules of ``[[limits.rule]]``: quantities and contradictions."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ _NOT_LIMITED = {"revolution", "time", "host_time"}
 
 @functools.cache
 def quantities(table: ChannelTable) -> dict[str, str]:
-    """Return the quantities of a rule, with units: statistics of a revolution, the twin's wear.
+    """Return the quantities for rules, with units: statistics of a revolution, the twin's wear.
 
-    A name that both have (``force_max``) means the measured one.
+    A common name (``force_max``) means the measured quantity.
     """
     columns = (*prediction_columns(), *table.revolution_columns)
     return {column.name: column.unit for column in columns if column.name not in _NOT_LIMITED}
@@ -38,10 +38,10 @@ BOUNDS = ("critical_above", "critical_below", "warning_above", "warning_below")
 def check_rules(
     rules: Iterable[LimitRule], table: ChannelTable | None = None, where: str = ""
 ) -> None:
-    """Raise UnusableInput when a rule names no quantity, has no level, or contradicts itself.
+    """Raise UnusableInput when a rule has an unknown quantity, no level, or contradictory levels.
 
-    table: of the rig; without it a name may be that of a free channel, and is not judged. where:
-    begins the sentence.
+    table: of the rig; without it a name may be that of a free channel and is not checked. where:
+    start of the sentence.
     """
     for number, rule in enumerate(rules, start=1):
         for fault in rule_faults(rule, table):
@@ -51,17 +51,17 @@ def check_rules(
 def level_refusal(
     quantity: str, level: str, value: object, table: ChannelTable | None = None
 ) -> str:
-    """Return the fault of a level of a rule on a quantity; empty when it is right."""
+    """Return the fault of a rule's level for a quantity; empty when it is valid."""
     unit = quantities(table or BASE).get(quantity, "")
     allowed = LEVELS.get(unit, OTHER_LEVEL)
     return refusal(level, value, allowed, "" if unit == "1" else unit)
 
 
 class AlwaysLimit(NamedTuple):
-    """A limit that every test has; the drive goes off above it.
+    """A limit of every test, above which the drive is powered off.
 
-    alarm: key of its alarm. columns: of a row, in which it can be reached, the extreme first;
-    none: it is no value of a revolution.
+    alarm: key of its alarm. columns: columns of a row in which it can be reached, the extreme
+    first; none if it is not a value of a revolution.
     """
 
     sentence: str
@@ -93,11 +93,11 @@ ALWAYS: Final[Mapping[str, AlwaysLimit]] = {
         "stale_data",
     ),
 }
-"""The limits of every test, beside the rules, by their key in ``[limits]``."""
+"""Limits of every test besides the rules, by their key in ``[limits]``."""
 
 
 def limit_refusal(name: str, value: object, table: ChannelTable | None = None) -> str:
-    """Return the fault of the value of a limit or level of that name; empty when right."""
+    """Return the fault of the value of a limit or level of that name; empty when valid."""
     if name in ALWAYS:
         return refusal(f"limits.{name}", value)
     quantity, _, level = name.partition(".")
@@ -147,13 +147,13 @@ def _disorder(side: str, warning: float | None, critical: float | None, sign: in
 
 
 def levels(stop: StopSection) -> dict[str, float]:
-    """Return the levels of the criteria that are set, by key, in the order of the table."""
+    """Return the levels of the set criteria, by key, in the order of the table."""
     result = {key: getattr(stop, key) for key in CRITERIA}
     return {key: level for key, level in result.items() if level is not None}
 
 
 def described(stop: StopSection) -> list[str]:
-    """Return the criteria that are set, in words, for a check or a report."""
+    """Return the set criteria as texts, for a check or a report."""
     return [
         say("{} {:g} {}", CRITERIA[key].title, level, unit_of("stop." + key))
         for key, level in levels(stop).items()

@@ -1,8 +1,8 @@
-"""The steps of a test: the step of a revolution, its speed, its duration.
+"""The steps of a test: step, speed and duration of any revolution.
 
-A test without ``[[run.step]]`` is a sequence of one step. After the last step the sequence goes on
-with ``repeat_from_step`` until the planned revolutions are made, so that the step of a revolution
-follows from its number alone, also in a resumed or extended test.
+A test without ``[[run.step]]`` is a sequence of one step. After the last step the sequence
+continues with ``repeat_from_step`` until the planned revolutions are completed. The step of a
+revolution thus depends only on its number, also in a resumed or extended test.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class StepPlace:
     """One step at its position in a test.
 
     step: its number in the file, from 1; 0 in a test without steps. first, last: its revolutions.
-    rest_s: rest of the crank after the last one.
+    rest_s: rest of the crank after the last revolution.
     """
 
     step: int
@@ -34,7 +34,7 @@ class StepPlace:
 
     @property
     def words(self) -> str:
-        """Return its number and name."""
+        """Return the step's number and name as text."""
         named = f" ({self.name})" if self.name else ""
         return say("step {}{}", self.step, named) if self.step else say("the test")
 
@@ -61,17 +61,17 @@ class Sequence:
 
     @property
     def count(self) -> int:
-        """Return the number of steps in the file, 0 for none."""
+        """Return the number of steps in the file, 0 without steps."""
         return len(self._steps) if self._numbered else 0
 
     @property
     def length(self) -> int:
-        """Return the revolutions of all steps, each once."""
+        """Return the number of revolutions of one pass through all steps."""
         return self.ends[-1]
 
     @property
     def again(self) -> int:
-        """Return the step that follows the last one."""
+        """Return the step with which the sequence continues after the last one."""
         return self._run.repeat_from_step
 
     @property
@@ -97,7 +97,7 @@ class Sequence:
         return min(self._ramp(step) for step in self._steps)
 
     def at(self, revolution: int) -> StepPlace:
-        """Return the step of a revolution, which is counted from 1."""
+        """Return the step of a revolution, counted from 1."""
         rounds = max(0, -(-(revolution - self.ends[-1]) // self.loop))
         shift = rounds * self.loop
         index = bisect_left(self.ends, revolution - shift)
@@ -113,14 +113,14 @@ class Sequence:
         )
 
     def stages(self, first: int, last: int) -> Iterator[StepPlace]:
-        """Yield the steps that some revolutions run through."""
+        """Yield the steps of the revolutions first .. last."""
         while first <= last:
             stage = self.at(first)
             yield stage
             first = stage.last + 1
 
     def seconds(self, first: int, last: int) -> float:
-        """Return the duration of some revolutions with the rests between them, without ramps."""
+        """Return the duration of revolutions first .. last with rests between, without ramps."""
         if first > last:
             return 0.0
         start = min(last, max(first, self.loop_from + 1))
@@ -132,7 +132,7 @@ class Sequence:
         )
 
     def _seconds(self, first: int, to: int, last: int) -> float:
-        """Return the time of some revolutions, with each rest but that after the last one."""
+        """Return the time of some revolutions, with rests except that after the last one."""
         return sum(
             (min(to, stage.last) - max(first, stage.first) + 1) * 60.0 / stage.speed_rpm
             + (stage.rest_s if stage.last <= to and stage.last < last else 0.0)
@@ -148,7 +148,7 @@ class Sequence:
 
 
 def revolutions_of(step: RunStep, run: RunSection) -> int:
-    """Return the revolutions of a step; a time counts at its set speed, without the ramp."""
+    """Return the revolutions of a step; a duration is converted at its set speed, without ramp."""
     if step.revolutions is not None:
         return step.revolutions
     speed = run.speed_rpm if step.speed_rpm is None else step.speed_rpm

@@ -1,4 +1,4 @@
-"""Parse TOML from users; deep nesting is refused, since it would use up stack or memory."""
+"""Parse TOML from users; deep nesting is refused, since it could exhaust stack or memory."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp.schema.wire import tree_of
 from rigapp.texts import Sentence, say
 
 DEEPEST: Final = 32
-"""Tables within tables, and parts of a key; no file of this program has more than five."""
+"""Maximum depth of nested tables and key parts; no file of this program has more than five."""
 
 _TEXTS: Final = re.compile(
     r"""\"{3}[\s\S]*?\"{3}|'{3}[\s\S]*?'{3}|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|\#[^\n]*"""
@@ -21,7 +21,7 @@ _TEXTS: Final = re.compile(
 
 
 def toml_tree(text: str, where: str | Path) -> dict[str, Any]:
-    """Return TOML as nested tables; raise UnusableInput naming ``where`` it comes from."""
+    """Return TOML as nested tables; raises UnusableInput naming the source ``where``."""
     depth = _depth(text)
     if depth > DEEPEST:
         raise UnusableInput(
@@ -44,7 +44,7 @@ _TYPOGRAPHIC: Final = re.compile("[\u201c\u201d\u201e\u2018\u2019\u201a\u00ab\u0
 
 
 def _likely_cause(text: str) -> Sentence | str:
-    """Return the likely cause in an unreadable text, as quotes of a word processor."""
+    """Return the likely cause of an unreadable text, such as quotes of a word processor."""
     for number, line in enumerate(text.splitlines(), 1):
         if _DECIMAL_COMMA.match(line):
             return say(" Line {} has a decimal comma; write a point.", number)
@@ -66,7 +66,7 @@ def _in_words(error: Exception) -> Sentence:
 
 
 def toml_text(record: Any) -> str:
-    """Return a record, or nested tables, as TOML; None is left out."""
+    """Return a record or nested tables as TOML; None values are omitted."""
     import tomlkit
 
     return tomlkit.dumps(_stated(tree_of(record)))

@@ -1,4 +1,4 @@
-"""Write a file completely or not at all: readers get the former or the new one, never half."""
+"""Write a file atomically: readers get the previous or the new one, never a part."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 
 
 def part_name(name: str) -> str:
-    """Return the hidden, unpredictable name of a file that is being written."""
+    """Return a hidden, unpredictable name for a file while it is written."""
     return f".{name}.part-{os.getpid()}-{secrets.token_hex(4)}"
 
 
 def place_of(target: Path) -> Path:
-    """Return where a file is written: through a link, unless other users could have made it."""
+    """Return the path to write: the target of a link, unless other users could have made it."""
     folder = target.parent.resolve()
     if os.name == "posix" and folder.is_dir() and folder.stat().st_mode & _OTHERS_WRITE:
         return folder / target.name
@@ -31,11 +31,11 @@ def place_of(target: Path) -> Path:
 def whole_file(
     target: Path, name: str = "", *, new: bool = False, mode: int | None = None
 ) -> Iterator[Path]:
-    """Yield the name of a hidden file beside the target that takes its place once it is written.
+    """Yield a hidden file beside the target, which it replaces when it is complete.
 
-    It is on the disk before it gets the name. A link is followed; in a folder that others can write
-    it is replaced. name: of the target in a sentence. new: an existing target is not replaced.
-    mode: permissions, by default those of a file that is replaced. Raises UnusableInput naming the
+    The file is synced before it is renamed. A link is followed, except in a folder that others can
+    write, where it is replaced. name: of the target in a sentence. new: do not replace an existing
+    target. mode: permissions, by default those of a replaced file. Raises UnusableInput naming the
     target, which is then unchanged.
     """
     path = place_of(target)
@@ -62,5 +62,5 @@ def whole_file(
 
 
 def harmless(text: str) -> str:
-    """Return a text as a cell of a spreadsheet: a formula gets a quote before it."""
+    """Return a text as a spreadsheet cell; a formula is preceded by a quote."""
     return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t", "\r") and text else text

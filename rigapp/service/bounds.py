@@ -1,4 +1,4 @@
-"""The limits of a request: in bytes, and by the record of its verb, before it is executed."""
+"""Validate a request before it is executed: its size, and its arguments by the verb's record."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from rigapp.schema.states import Refused, refuse_long
 from rigapp.schema.verbs import Priority, Verb
 from rigapp.texts import capitalised, joined
 
-MESSAGE_BYTES = 1 << 16  # no request is nearly as long
+MESSAGE_BYTES = 1 << 16  # far more than the longest request
 NAME_CHARACTERS = 100
 SENTENCE_CHARACTERS = 2000
 
 
 def bounded(request: Request) -> Request:
-    """Return a request whose sender can be shown; raise Refused for an unknown verb.
+    """Return a request with a displayable sender; raises Refused for an unknown verb.
 
-    The sender's name is cut, and never a reason to refuse.
+    The sender's name is truncated and never refused.
     """
     refuse_long("verb", request.verb, NAME_CHARACTERS)
     refuse_long("client", request.client, NAME_CHARACTERS)
@@ -34,9 +34,9 @@ def bounded(request: Request) -> Request:
 def parse_arguments(verb: Verb, arguments: Mapping[str, Any]) -> Any:
     """Return the arguments of a request as the record of its verb.
 
-    A safety verb is never refused for its arguments: texts are cut, and other values are left out.
-    For all other verbs a missing, too long, out-of-range or mistyped argument raises Refused.
-    Unknown arguments are ignored.
+    A safety verb is never refused for its arguments: texts are truncated, and other invalid values
+    omitted. For all other verbs a missing, too long, out-of-range or mistyped argument raises
+    Refused. Unknown arguments are ignored.
     """
     if verb.lane is Priority.SAFETY:
         names = verb.record.__struct_fields__
@@ -57,9 +57,9 @@ def parse_arguments(verb: Verb, arguments: Mapping[str, Any]) -> Any:
 
 
 def refusal(words: str, identifier: int = 0) -> Reply:
-    """Return the reply to a refused request: its reason as one short sentence.
+    """Return the reply to a refused request: the reason as one short sentence.
 
-    A key that it begins with stays as it is typed.
+    A key at the start of the sentence is not capitalised.
     """
     first = words.split(" ", 1)[0].rstrip(".,:;")
     text = words if len(words) <= SENTENCE_CHARACTERS else words[:SENTENCE_CHARACTERS]

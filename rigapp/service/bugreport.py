@@ -37,12 +37,12 @@ from rigapp.texts import say, sentence_of_error
 from rigapp_drivers.wire.trace import MAGIC, RecordKind, encode_note, encode_record, read_trace
 
 PRIVATE_SECTIONS: Final = ("notify", "ping", "records")
-"""Of a rig file: recipients of messages, and paths of keys."""
+"""Private sections of a rig file: recipients of messages, and paths of keys."""
 PRIVATE_FIELDS: Final = ("operator", "in_command", "queue", "file", "line_report")
-"""Of a status: people, and their folders."""
+"""Private fields of a status: people, and their folders."""
 MOST_NAMES: Final = 1000
 SHORTEST_NAME: Final = 3
-"""Characters; shorter ones occur in many words by chance."""
+"""Minimum length of a name; shorter ones occur in many words by chance."""
 
 ABOUT: Final = """\
 Lines of {devices}, recorded by rigapp {version} from {since} to {until} (UTC).
@@ -60,7 +60,7 @@ Names of people and computers, folders, addresses and keys are taken out. Serial
 class BugReports:
     """Record for one report at a time; the recording is packed when its time is up.
 
-    rig: the rig file as it is in use. connect: connects the devices; raises what that raises.
+    rig: the rig file in use. connect: connects the devices; its errors are passed on.
     """
 
     def __init__(
@@ -75,12 +75,12 @@ class BugReports:
         self.shown: LineReport | None = None
 
     def note_name(self, name: str) -> None:
-        """Remember the name of an operator, which is removed from the package."""
+        """Store the name of an operator, to remove it from the package."""
         if name not in PROGRAM and len(self._names) < MOST_NAMES:
             self._names.update(_spellings(name))
 
     def begin(self, request: LinesToReport) -> None:
-        """Begin to record; raise Refused, UnusableInput."""
+        """Start recording; raises Refused, UnusableInput."""
         rig, file = self._rig(), Path(request.file)
         known = tuple(rig.record.devices)
         for device in request.devices:
@@ -105,7 +105,7 @@ class BugReports:
         if request.reconnect:
             try:
                 self._connect()
-            except Exception as error:  # the failure itself is reported
+            except Exception as error:  # the failure is part of the report
                 self._engine.log("device", sentence_of_error(error), "engine")
         if request.duration_s:
             self._end_after(request.duration_s)
@@ -147,7 +147,7 @@ class BugReports:
             return self.shown.file
 
     def close(self) -> None:
-        """Pack a recording under way."""
+        """Pack a running recording."""
         if self._open is not None:
             self._time_is_up()
 
@@ -202,19 +202,19 @@ def _utc(moment: float) -> str:
 
 
 def _text_of(log: Path) -> str:
-    """Return the text of a log, the file before it first."""
+    """Return the text of a log, after that of its predecessor."""
     parts = (log.with_name(f"{log.name}.1"), log)
     return "".join(part.read_text("utf-8", "replace") for part in parts if part.exists())
 
 
 def _public_rig(rig: Document[RigFile]) -> str:
-    """Return a rig file as it was read, without comments and private sections."""
+    """Return the contents of a rig file without comments and private sections."""
     tree = toml_tree(rig.text, rig.path)
     return toml_text({key: value for key, value in tree.items() if key not in PRIVATE_SECTIONS})
 
 
 def _public_trace(path: Path, names: Iterable[str]) -> Iterator[bytes]:
-    """Yield a recorded line with private data removed from its notes; its bytes stay."""
+    """Yield a recorded line with private data removed from its notes, its bytes unchanged."""
     trace = read_trace(path)
     first_ns = trace.records[0].time_ns if trace.records else 0
     yield MAGIC
@@ -254,7 +254,7 @@ def _names_here() -> Iterator[str]:
 
 
 def _spellings(name: str) -> Iterator[str]:
-    """Yield a name and its words, as far as they are long enough to identify a person."""
+    """Yield a name and its words, those long enough to identify a person."""
     for spelling in (name.strip(), *re.split(r"[\s.,_-]+", name)):
         if len(spelling) >= SHORTEST_NAME:
             yield spelling

@@ -1,8 +1,8 @@
 """The calibration that occupies a rig: weights may hang on the pin, so nothing else may turn it.
 
-It begins with a key, by which its holder ends it and may turn the spindle at the speeds that it
-needs. A calibration whose window failed stays open until an operator releases it, in a new engine
-of the rig too.
+Its start returns a key, with which its holder ends it and may turn the spindle at its speeds. A
+calibration whose window failed stays open until an operator releases it, in a new engine of the rig
+too.
 """
 
 from __future__ import annotations
@@ -28,13 +28,14 @@ from rigapp.texts import say
 log = logging.getLogger(__name__)
 
 Log = Callable[[str, str], None]
-"""Takes the text of an event and the operator."""
+"""Function that logs the text of an event and the operator."""
 
 
 class HeldCalibration(msgspec.Struct, frozen=True):
     """An open calibration with the secret of its holder.
 
-    key: ends it, and starts its tests, of ``fastest_rpm`` at most. client: the viewer that began.
+    key: required to end it and to start its tests, at most at ``fastest_rpm``. client: the viewer
+    that started it.
     """
 
     shown: OpenCalibration
@@ -44,22 +45,22 @@ class HeldCalibration(msgspec.Struct, frozen=True):
 
 
 class RigCalibration:
-    """Keep the one calibration of a rig; every method may be called from any thread."""
+    """Hold the one open calibration of a rig; every method may be called from any thread."""
 
     def __init__(self, rig: Path | None, log_line: Log) -> None:
-        """Continue a stored calibration of a rig file; None: of a rig that ends with its engine."""
+        """Continue a stored calibration of a rig file; None: a rig that ends with its engine."""
         self._rig, self._log = rig, log_line
         self._lock = threading.Lock()
         self._held = kept_calibration(rig) if rig is not None else None
 
     @property
     def shown(self) -> OpenCalibration | None:
-        """Return its public part for viewers, None while nothing is calibrated."""
+        """Return the public part of the calibration for viewers, None without one."""
         held = self._held
         return held.shown if held is not None else None
 
     def begin(self, request: Request, what: str, fastest_rpm: float) -> dict[str, str | float]:
-        """Occupy the rig; return key and beginning. Raises Occupied where another one is open."""
+        """Occupy the rig; return key and start time. Raises Occupied where another one is open."""
         operator = request.operator.strip() or "somebody"
         with self._lock:
             self._refuse()
@@ -71,7 +72,7 @@ class RigCalibration:
         return {"key": key, "since": shown.since}
 
     def end(self, key: str, request: Request) -> None:
-        """End it by its key; raise Refused where it is not open any more."""
+        """End the calibration by its key; raises Refused where it is no longer open."""
         with self._lock:
             held = self._held
             if held is None or held.key != key:
@@ -83,7 +84,7 @@ class RigCalibration:
         )
 
     def release(self, since: float, reason: str, request: Request) -> None:
-        """End it in place of its holder; raise Refused where it is another one."""
+        """End the calibration without its key; raises Refused where another one is open."""
         with self._lock:
             held = self._held
             if held is None:
@@ -97,7 +98,7 @@ class RigCalibration:
                   request.operator.strip() or "somebody")  # fmt: skip
 
     def judge(self, key: str = "", rpm: float = 0.0) -> None:
-        """Raise Occupied where a test may not start; rpm: its fastest speed, key: its holder's."""
+        """Raise Occupied where a test may not start; rpm: its fastest speed, key: the holder's."""
         held = self._held
         if held is None or held.key != key:
             self._refuse()
@@ -109,7 +110,7 @@ class RigCalibration:
             )
 
     def judge_viewer(self, client: str) -> None:
-        """Raise Occupied unless nothing is calibrated, or by this viewer."""
+        """Raise Occupied where another viewer calibrates."""
         held = self._held
         if held is None or not client or held.client != client:
             self._refuse()
@@ -119,7 +120,7 @@ class RigCalibration:
             raise Occupied(occupied_words(self._held.shown))
 
     def _keep(self) -> None:
-        """Store it for the next engine; a failure does not stop the calibration."""
+        """Store the calibration for the next engine; a failure does not stop it."""
         if self._rig is None:
             return
         try:
@@ -134,7 +135,7 @@ class RigCalibration:
 
 
 def kept_calibration(rig: Path) -> HeldCalibration | None:
-    """Return the calibration that a rig's engine left open, None without one."""
+    """Return the stored open calibration of a rig, None without one."""
     try:
         text = read_own(kept_of(rig, "calibrations"))
         return msgspec.json.decode(text or b"", type=HeldCalibration)
@@ -143,12 +144,12 @@ def kept_calibration(rig: Path) -> HeldCalibration | None:
 
 
 def forget_calibration(rig: Path) -> None:
-    """End the calibration that a rig's engine left open, while no engine runs."""
+    """Delete the stored open calibration of a rig, while no engine runs."""
     kept_of(rig, "calibrations").unlink(missing_ok=True)
 
 
 def occupied_words(shown: OpenCalibration) -> str:
-    """Return which calibration occupies the rig, and how to end it."""
+    """Return a description of the calibration that occupies the rig, and how to end it."""
     return say(
         "{}. Close that calibration, or end it: End calibration in a window, or rigapp"
         " calibrate release",

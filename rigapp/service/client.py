@@ -1,6 +1,6 @@
-"""The client of a running engine: requests with a time-out, snapshots as they come.
+"""The client of a running engine: requests with a time-out, and a stream of snapshots.
 
-A client that has control sends a heartbeat every ``PRESENT_S`` from a thread of its own, until it
+A client that has control sends a heartbeat every ``PRESENT_S`` from a separate thread, until it
 releases control, loses it or is closed.
 """
 
@@ -32,25 +32,25 @@ from rigapp.texts import SentenceError, say
 if TYPE_CHECKING:
     from rigapp.service.security import KeyPair
 
-SNAPSHOT_QUEUE = 64  # three seconds of a window that is busy
+SNAPSHOT_QUEUE = 64  # three seconds of a busy window
 NEWEST = ("cycle", "prediction", "profile")
 """Fields of which only the newest value is kept."""
-PRESENT_S = 2.0  # often enough that a lost heartbeat does not count as absence
+PRESENT_S = 2.0  # short enough that one lost heartbeat does not release control
 
 
 class EngineUnreachable(SentenceError):
-    """The sentence says which engine did not answer, to what, within which time."""
+    """Raised when an engine does not answer; the sentence names engine, request and time-out."""
 
 
 class Client:
     """One viewer of one engine; ``poll`` and ``request`` may be called from different threads."""
 
     def __init__(self, entry: EngineEntry, operator: str = "", *, look: bool = True) -> None:
-        """Attach to the engine of an entry; nothing is sent yet.
+        """Attach to the engine of an entry without sending anything.
 
-        look: take snapshots, which makes this a viewer; without it ``poll`` returns None.
-        Raises EngineUnreachable when the entry has another version of the protocol, and
-        UnusableInput when the engine demands a key and this viewer's cannot be used.
+        look: receive snapshots as a viewer; without it ``poll`` returns None. Raises
+        EngineUnreachable when the entry has another version of the protocol, and UnusableInput when
+        the engine requires a key and this viewer's cannot be used.
         """
         if entry.version not in (PROTOCOL_VERSION, *FLAT_STATUS):
             raise EngineUnreachable(other_version(entry.version, PROTOCOL_VERSION))
@@ -62,7 +62,7 @@ class Client:
         self._stream = self._context.socket(zmq.DEALER)
         self._stream.setsockopt(zmq.RCVHWM, SNAPSHOT_QUEUE)
         self._stream.setsockopt(zmq.LINGER, 0)
-        # Each new connection begins with an empty message, which requests snapshots.
+        # Each new connection starts with an empty message, which requests snapshots.
         self._stream.setsockopt(zmq.PROBE_ROUTER, 1)
         self._stream.setsockopt(zmq.IMMEDIATE, 1)
         self._show_keys(self._stream)
@@ -78,8 +78,8 @@ class Client:
     def poll(self) -> Snapshot | None:
         """Return the snapshots since the last call, merged into one, or None.
 
-        Rows are merged only where none is missing between them: rows after a gap, or of another
-        file, are left for the next call, so that ``first_row`` shows it.
+        Rows are merged only if they are contiguous: rows after a gap, or of another file, are left
+        for the next call, so that ``first_row`` shows the gap.
         """
         parts: list[Snapshot] = []
         while not self._closed:
@@ -111,9 +111,9 @@ class Client:
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float | None = None
     ) -> Reply:
-        """Send a request and wait for the reply; raise EngineUnreachable after timeout_s.
+        """Send a request and return the reply; raises EngineUnreachable after timeout_s.
 
-        timeout_s: that of ``VERBS`` if None.
+        timeout_s: if None, that of ``VERBS``.
         """
         reply = self._request(verb, arguments, timeout_s or verb_of(verb).timeout_s)
         if verb == "status" and reply.ok:
@@ -126,7 +126,7 @@ class Client:
         return reply
 
     def hello(self, timeout_s: float = 5.0) -> None:
-        """Check that the engine answers and uses our protocol; raise EngineUnreachable."""
+        """Check that the engine answers in this protocol; raises EngineUnreachable."""
         reply = self.request("hello", timeout_s=timeout_s)
         if not reply.ok:
             raise EngineUnreachable(reply.sentence)
@@ -178,7 +178,7 @@ class Client:
             socket.close()
 
     def close(self) -> None:
-        """Detach; the engine goes on."""
+        """Detach; the engine continues."""
         self._closed = True
         self._leave.set()
         if self._presence is not None and self._presence is not threading.current_thread():
@@ -232,7 +232,7 @@ def _viewer_keys(entry: EngineEntry) -> KeyPair | None:
 
 
 def joins(parts: Sequence[Snapshot], following: Snapshot) -> bool:
-    """Return whether a snapshot follows others without a gap: the same file, and no row between."""
+    """Return whether a snapshot follows others without a gap: same file, contiguous rows."""
     last = next((part for part in reversed(parts) if part.rows), None)
     if _file(following) != _file(parts[-1]):
         return False
@@ -246,7 +246,7 @@ def _file(snapshot: Snapshot) -> str:
 
 
 def merged(parts: Sequence[Snapshot]) -> Snapshot:
-    """Return snapshots that join as one: all rows and predictions, the newest of all else."""
+    """Merge contiguous snapshots: all rows and predictions, the newest value of other fields."""
     with_rows = next((part for part in parts if part.rows), parts[-1])
 
     def newest(name: str) -> Any:

@@ -1,4 +1,4 @@
-"""The faults that a simulated rig can have on request."""
+"""Faults that can be injected into a simulated rig."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rigapp_drivers.registry import DriverNotFound, load_driver, load_simulator
 
 @dataclass(frozen=True, slots=True)
 class FaultChoice:
-    """One fault that can be caused: its kind and where (a device, or "signal")."""
+    """One fault: its kind and place (a device, or "signal")."""
 
     kind: str
     where: str
@@ -17,7 +17,7 @@ class FaultChoice:
 
 def fault_choices(devices: tuple[tuple[str, str], ...]) -> list[FaultChoice]:
     """Return every fault of a simulated rig; devices: (name, driver) of each."""
-    # The simulator is loaded for a simulated rig only, not with the window.
+    # Import the simulator only for a simulated rig, not with the window.
     from rigapp.simulation.disturbances import SignalFault
     from rigapp.simulation.wire.link import WireFault
 

@@ -1,6 +1,6 @@
-"""Host an engine: simulated rig, engine, twin and server, and the order between them.
+"""Host an engine: simulated rig, engine, twin and server, started and ended in order.
 
-Used by ``rigapp run`` (one test, then the end) and ``rigapp engine`` (until it is shut down).
+Used by ``rigapp run`` (for one test) and ``rigapp engine`` (until it is shut down).
 """
 
 from __future__ import annotations
@@ -88,21 +88,21 @@ from rigapp.twin.link import IdentificationTarget, TwinLink, TwinSetup
 
 log = logging.getLogger(__name__)
 
-START_WAIT_S = 10.0  # a second start waits so long for the first to be refused or begun
+START_WAIT_S = 10.0  # wait of a second start until the first is refused or begun
 TWIN_START_S = 15.0
-"""A test waits so long for its twin, so that the first revolutions are predicted, then goes on."""
+"""Longest wait of a test for its twin, which then predicts the first revolutions."""
 
 
 END_CALIBRATION = say("Remove the weights from the pin, then end the calibration.")
-"""The next step of a rig that a calibration occupies."""
+"""Next step for a rig occupied by a calibration."""
 
 
 class ChangedElsewhere(Exception):
-    """The rig file was changed since the engine was started."""
+    """Raised when the rig file has changed since the engine was started."""
 
 
 class EngineHost:
-    """One engine of one rig, reachable by viewers while it runs."""
+    """One engine of one rig, and its service for viewers."""
 
     def __init__(
         self,
@@ -113,11 +113,11 @@ class EngineHost:
         own: bool = False,
         record_wire: Path | None = None,
     ) -> None:
-        """Make the engine and begin to serve; devices are opened by ``connect`` or ``start``.
+        """Make the engine and start to serve; devices are opened by ``connect`` or ``start``.
 
-        bind: where to listen in place of this computer's sockets. own: its simulated rig ends with
-        it, so an open calibration is not taken up, nor kept. record_wire: where the lines of all
-        devices are recorded. Raises UnusableInput.
+        bind: address to listen on instead of this computer's sockets. own: the simulated rig ends
+        with the host, so that an open calibration is neither continued nor stored. record_wire:
+        path for the recordings of all device lines. Raises UnusableInput.
         """
         plan_devices(rig.record, str(rig.path))
         ways = ways_of(rig)
@@ -167,7 +167,7 @@ class EngineHost:
         self._messages = self._notifier(ways) if ways else None
 
     def _notifier(self, ways: DeliveryChannels) -> NotifierLink:
-        """Start the notifier, which gets the notices of every viewer."""
+        """Start the notifier, which receives the same notices as viewers."""
         folder = private_folder(lasting_folder() / "messages")
         rig = str(self._rig.path.resolve())
         run, name = say("{} {}", os.getpid(), time.time()), self._rig.record.name
@@ -185,7 +185,7 @@ class EngineHost:
             addresses = bind.endpoints()
         else:
             addresses = local_endpoints(runtime_folder(), os.getpid())
-        # A port of this computer is open to its other users, unlike a socket in our folder.
+        # Other users of this computer can reach a port, unlike a socket in a private folder.
         keys = lasting_folder() if addresses[0].startswith("tcp:") else None
         if keys is not None:
             if bind is not None and bind.remote:
@@ -215,7 +215,7 @@ class EngineHost:
         self.engine.connect(lambda: self.simulated.ports(parameters))
 
     def _connect_to_report(self) -> None:
-        """Connect again for a bug report; raise Refused while the rig is occupied."""
+        """Reconnect for a bug report; raises Refused while the rig is occupied."""
         if self.occupied:
             raise Refused("the rig is in use; its lines are recorded without reconnecting")
         with self.starting:
@@ -232,10 +232,10 @@ class EngineHost:
         examined: Callable[[Resumption], None] = lambda resumption: None,
         calibration: str = "",
     ) -> None:
-        """Connect where needed and start or resume a test; raises the engine's errors.
+        """Connect if necessary and start or resume a test; raises the engine's errors.
 
         reason: for findings of ``resumption`` that need one. examined: called with the findings.
-        calibration: key of the open one that the test is part of.
+        calibration: key of the open calibration to which the test belongs.
         """
         with self.starting:
             self.calibration.judge(calibration, Sequence(test.record.run).fastest_rpm)
@@ -277,11 +277,11 @@ class EngineHost:
             remember(self._rig.path, out, specimen)
 
     def tell_of_cut_off_test(self) -> None:
-        """Warn where the last test of this rig was cut off; nothing turns."""
+        """Raise an alarm if the last test of this rig was cut off, without moving anything."""
         self.engine.warn("cut_off", cut_off(self._rig.path))
 
     def cancel(self, why: str) -> None:
-        """Prevent further starts and cancel one under way, which raises Refused."""
+        """Prevent further starts and cancel a running one, which raises Refused."""
         self._cancelled = why
 
     def _go_on(self) -> None:
@@ -289,12 +289,12 @@ class EngineHost:
             raise Refused(self._cancelled)
 
     def _keep_log(self, out: Path) -> None:
-        """Keep the program's remarks beside this test's file from now on."""
+        """Write the program's log beside this test's file from now on."""
         self._log.close()
         self._log.enter_context(in_file(log_beside(out)))
 
     def resumption(self, path: Path) -> Resumption:
-        """Connect where needed and return the findings for resuming the test of a file."""
+        """Connect if necessary and return the findings for resuming the test of a file."""
         with self.starting:
             self.calibration.judge()  # a simulated rig may be restarted for the test
             self._latest_records("")
@@ -304,7 +304,7 @@ class EngineHost:
             return self._compare(past, test)
 
     def use_records(self, operator: str) -> Reply:
-        """Use the records that the rig file names now; a calibration may have changed it."""
+        """Load the records named in the rig file, which a calibration may have changed."""
         with self.starting:
             try:
                 changed = self._use_records()
@@ -312,7 +312,7 @@ class EngineHost:
                 return refusal(say("{}.", error))
             if not changed:
                 return refusal(say("{} names the records that are in use already.", self._rig.path))
-            # A record that blocks a start has no other remark.
+            # A record that blocks the start has no other remark.
             reasons = {**self.records.remarks, **self.records.blocking}
             used = joined(
                 "; ",
@@ -322,7 +322,7 @@ class EngineHost:
             return Reply(ok=True, sentence=say("The engine uses it from now on ({}).", used))
 
     def _latest_records(self, operator: str) -> list[LogEntry]:
-        """Use the records that the rig file names now; return the log entries about them."""
+        """Load the records named in the rig file; return the log entries about them."""
         try:
             self._use_records()
         except ChangedElsewhere as error:
@@ -330,7 +330,7 @@ class EngineHost:
         return []
 
     def _use_records(self) -> bool:
-        """Use the records that the rig file names now; return whether they changed.
+        """Load the records named in the rig file; return whether they changed.
 
         Raises UnusableInput for unusable records, Refused for a change during a test,
         ChangedElsewhere.
@@ -362,7 +362,7 @@ class EngineHost:
         self.connect(test)
 
     def _compare(self, past: Past, test: TestFile) -> Resumption:
-        """Compare a file with the rig; its tare counts unless the cell was zeroed since."""
+        """Compare a file with the rig, by the file's tare unless the cell was zeroed since."""
         rest, tare = self.engine.rest(), stored_tare(past)
         calibration = rest.calibration.under(test.model.mechanism.gravity_m_s2)
         if tare is not None and not calibration.load_cell.tare.any():
@@ -377,7 +377,7 @@ class EngineHost:
         )
 
     def _take_up(self, past: Past) -> None:
-        """Use the tare of the test again."""
+        """Restore the tare of the test."""
         tare = stored_tare(past)
         if tare is not None and not self.engine.rest().calibration.load_cell.tare.any():
             self.engine.set_tare(*tare)
@@ -385,9 +385,9 @@ class EngineHost:
     def _start_twin(
         self, test: TestFile, file: Path, past: Past | None, worn: SpecimenWear | None
     ) -> None:
-        """Start the twin of a test, from the state in its file where the test is resumed.
+        """Start the twin of a test, for a resumed test from the state in its file.
 
-        worn: wear of the bushing by another test, whose file has its state.
+        worn: wear of the bushing from another test, whose file has the state.
         """
         if self._twin is not None:
             self._twin.close()
@@ -433,7 +433,7 @@ class EngineHost:
             twin.offer(measured)
 
     def close(self) -> None:
-        """Stop a test under way, notify viewers, release all; the spindle is then stationary."""
+        """Stop a running test, notify viewers, release all; the spindle is then stationary."""
         self.cancel(say("the engine ends"))
         self.queue.halt()
         self.reports.close()
@@ -458,13 +458,13 @@ class EngineHost:
 
     @property
     def occupied(self) -> bool:
-        """Return whether a test is under way or a calibration open, even without viewers."""
+        """Return whether a test is running or a calibration open, even without viewers."""
         return self.engine.state in ACTIVE or self.calibration.shown is not None
 
-    # --- tests one after another -----------------------------------------------------------------
+    # --- queue of tests --------------------------------------------------------------------------
 
     def _begin_queued(self, test: Path, file: Path, operator: str) -> Finished | None:
-        """Begin a test of the queue; where its file exists, resume or end it."""
+        """Start a test of the queue; where its file exists, resume or end it."""
         self.calibration.judge()
         if not file.exists():
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -478,7 +478,7 @@ class EngineHost:
     # --- viewers ---------------------------------------------------------------------------------
 
     def snapshot(self) -> Snapshot:
-        """Return what is new for all viewers."""
+        """Return the news for all viewers."""
         self.command.look()
         snapshot = self.engine.snapshot(self._subscription)
         return msgspec.structs.replace(snapshot, status=self.with_service(snapshot.status))

@@ -1,7 +1,7 @@
 """Find a running engine of a rig, or start one that outlives its window.
 
 ``RIGAPP_ENGINE`` names the entry file of an engine elsewhere, copied from its runtime folder; it
-comes before every engine of this computer.
+has priority over all engines of this computer.
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ from rigapp.service.registry import (
 )
 from rigapp.texts import say
 
-START_S = 180.0  # importing and compiling on a slow disk, on a computer that is busy
-HELLO_S = 10.0  # far longer than a running engine takes
-LOOK_EVERY_S = 0.05  # no longer than a person notices
+START_S = 180.0  # imports and compilation on a busy computer with a slow disk
+HELLO_S = 10.0  # far longer than the answer of a running engine
+LOOK_EVERY_S = 0.05  # not noticeable
 
 
 def find_engine(rig: Path) -> EngineEntry | None:
-    """Return the newest running engine that holds this rig, None when there is none.
+    """Return the newest running engine of this rig, None without one.
 
-    With ``RIGAPP_ENGINE`` the engine that it names; raises UnusableInput when that is no entry.
+    With ``RIGAPP_ENGINE`` the engine that it names; raises UnusableInput for an invalid entry.
     """
     elsewhere = os.environ.get("RIGAPP_ENGINE")
     if elsewhere:
@@ -47,8 +47,8 @@ def find_engine(rig: Path) -> EngineEntry | None:
 def attach(rig: Path, operator: str = "") -> Client:
     """Return a client of the rig's engine, starting one when none runs and none is starting.
 
-    Raises EngineUnreachable with the engine's own last words when it does not come up, when it
-    does not answer, or when it speaks another version of the protocol.
+    Raises EngineUnreachable, with the last lines of the engine's log, when it fails to start, does
+    not answer, or has another version of the protocol.
     """
     client = Client(_engine_of(rig), operator)
     try:
@@ -87,7 +87,7 @@ def _engine_of(rig: Path) -> EngineEntry:
 
 
 def _start(rig: Path) -> tuple[int, Path]:
-    """Start an engine, announced before another process can look; return its process and log."""
+    """Start an engine and announce it under the lock; return its process id and log."""
     log = runtime_folder() / f"engine-{time.strftime('%Y%m%d-%H%M%S')}.log"
     engine = Child("rigapp", "engine", rig, log=log)
     engine.leave()
@@ -104,7 +104,7 @@ def _last_words(log: Path | None) -> str:
 
 @contextmanager
 def _one_at_a_time() -> Iterator[None]:
-    """Lock the search for an engine and its start to one process; raise EngineUnreachable."""
+    """Lock search and start of an engine against other processes; raises EngineUnreachable."""
     path = runtime_folder() / "launch.lock"
     deadline = time.monotonic() + HELLO_S
     with path.open("wb") as file:

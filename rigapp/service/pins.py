@@ -1,8 +1,7 @@
 """PINs of the operators who may change limits, in a file that the rig file names.
 
-They prevent casual changes of a test's limits; anyone who can write the files of the rig can do
-more than that. Of each PIN there is a salted hash (scrypt, RFC 7914), never itself,
-and it is in no recorded file.
+They prevent casual changes of a test's limits, not changes by users with write access to the rig's
+files. Only a salted hash of each PIN is stored (scrypt, RFC 7914), and in no recorded file.
 """
 
 from __future__ import annotations
@@ -26,12 +25,13 @@ from rigapp.schema.states import Refused
 from rigapp.texts import say
 
 COST, BLOCK, LANES = 2**14, 8, 1
-"""Parameters of a hash: 16 MB and some 50 ms, as RFC 7914 proposes for a login."""
+"""Parameters of a hash: 16 MB and about 50 ms, as RFC 7914 proposes for a login."""
 SALT_BYTES, HASH_BYTES = 16, 32
 FEWEST: Final = 4
-"""Characters of a PIN."""
+"""Minimum number of characters of a PIN."""
 FREE_TRIES, LONGEST_WAIT_S = 3, 300.0
-"""Wrong PINs in a row before the first wait, which doubles with each further one."""
+"""Consecutive wrong PINs before the first wait, which doubles with each further one; its
+maximum."""
 
 
 def hashed(pin: str, salt: bytes | None = None) -> str:
@@ -42,7 +42,7 @@ def hashed(pin: str, salt: bytes | None = None) -> str:
 
 
 def fits(pin: str, kept: str) -> bool:
-    """Return whether a PIN fits a hash; hashes of other forms fit none."""
+    """Return whether a PIN matches a hash; False for hashes of other forms."""
     try:
         kind, cost, block, lanes, salt, expected = kept.split(":")
         if (kind, int(cost), int(block), int(lanes)) != ("scrypt", COST, BLOCK, LANES):
@@ -54,20 +54,20 @@ def fits(pin: str, kept: str) -> bool:
 
 
 def operators_file(rig: Document[RigFile]) -> Path | None:
-    """Return the file of the operators of a rig, None where none is wanted."""
+    """Return the file of the operators of a rig, None where none is set."""
     name = rig.record.operators.file
     return rig.path.parent / name if name else None
 
 
 def pins_in(file: Path) -> Mapping[str, str]:
-    """Return the hashes by the operators' names, none without a file; raise UnusableInput."""
+    """Return the hashes by operator name, empty without a file; raises UnusableInput."""
     return read_document(file, OperatorsFile).record.pins if file.exists() else {}
 
 
 def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:
-    """Give an operator a PIN, a new one in the place of the former; raise UnusableInput.
+    """Set or replace the PIN of an operator; raises UnusableInput.
 
-    by_pin: the PIN of an operator who has one, if there is any.
+    by_pin: the PIN of any operator who has one, required if there is any.
     """
     pins = dict(pins_in(file))
     if not name.strip():
@@ -91,14 +91,14 @@ class PinCheck:
 
     @property
     def wanted(self) -> bool:
-        """Return whether limits need a PIN."""
+        """Return whether changes of limits need a PIN."""
         return self._file is not None
 
     def judge(self, operator: str, pin: str) -> None:
-        """Raise Refused where the PIN is not the operator's, UnusableInput for a broken file."""
+        """Raise Refused for a wrong PIN of the operator, UnusableInput for a broken file."""
         if self._file is None:
             return
-        with self._lock:  # two requests at once would have twice the tries
+        with self._lock:  # concurrent requests would double the tries
             left = self._wait_until - self._clock()
             if left > 0.0:
                 raise Refused(say("too many wrong PINs; try again in {:.0f} s", math.ceil(left)))

@@ -15,7 +15,7 @@ from rigapp.texts import say
 def disk_facts(
     test: TestFile, sample_rate_Hz: float, folder: Path, table: ChannelTable = BASE
 ) -> DiskFacts:
-    """Return the disk space that a test of these channels needs in a folder; reads the disk."""
+    """Return the disk space needed by a test of these channels and that free in a folder."""
     from rigapp.engine.recording.fileplan import file_plan
     from rigapp.storage import reserved_bytes, streams_of
 

@@ -1,4 +1,4 @@
-"""Recorded tests: resume or end one, and the last test of a rig."""
+"""Recorded tests: resume or end a test, and the last test of a rig."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ log = logging.getLogger(__name__)
 
 
 def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Document[TestFile]:
-    """Return a test with another number of revolutions, in its text as well; UnusableInput."""
+    """Return a test with a new number of revolutions, also in its text; raises UnusableInput."""
     if revolutions is None or revolutions == test.record.run.revolutions:
         return test
     wrong = refusal("run.revolutions", revolutions)
@@ -53,7 +53,7 @@ def with_revolutions(test: Document[TestFile], revolutions: int | None) -> Docum
 
 
 def recorded_test(path: Path) -> Document[TestFile]:
-    """Return the test that a file records, to resume it; raise UnusableInput."""
+    """Return the test of a recorded file, to resume it; raises UnusableInput."""
     with open_test(path) as reader:
         text = reader.configuration()["test"]
         planned = reader.state("planned_revolutions")
@@ -62,7 +62,7 @@ def recorded_test(path: Path) -> Document[TestFile]:
 
 
 def end_whole_test(path: Path) -> Finished | None:
-    """End an interrupted file that has all its revolutions already; None for any other."""
+    """End an interrupted file that has all its revolutions; return None for any other."""
     revolutions = finish_whole_test(path)
     if not revolutions:
         return None
@@ -83,7 +83,7 @@ def complete_test(path: Path) -> Finished | None:
 
 
 def checkpoint(path: Path) -> bytes:
-    """Return the twin's checkpoint of an earlier part of the test, or nothing."""
+    """Return the twin's checkpoint of an earlier part of the test, or empty bytes."""
     with open_test(path) as reader:
         return reader.checkpoint()
 
@@ -91,7 +91,7 @@ def checkpoint(path: Path) -> bytes:
 def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
     """Return the twin's checkpoint of an ended test, and its model and technique.
 
-    The model is None where it cannot be read, or where it contains rejected readings.
+    The latter are None where the file is unreadable or the checkpoint contains rejected readings.
     """
     with open_test(path) as reader:
         left = reader.checkpoint()
@@ -105,13 +105,13 @@ def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
 
 
 SEALED_AT_ONCE = 64 << 20
-"""Bytes of data whose seal takes less time than the start of a process for it."""
+"""Bytes of data up to which sealing takes less time than starting a process for it."""
 
 
 def settle(end: Finished) -> None:
     """Compress and seal the file of a complete test; only seal that of a stopped one.
 
-    Long work runs in a process of its own that outlives this one.
+    Long work runs in a separate process that outlives this one.
     """
     path = Path(end.file)
     if not path.is_file():
@@ -128,7 +128,7 @@ def settle(end: Finished) -> None:
 
 
 class LastTest(msgspec.Struct, frozen=True):
-    """The rig file and the test file that was begun with it last.
+    """The rig file and the test file that was last started with it.
 
     specimens: the newest file of each specimen by its name.
     """
@@ -160,7 +160,7 @@ def _kept(rig: Path) -> LastTest | None:
 
 
 def last_wear(rig: Path, specimen: str) -> SpecimenWear | None:
-    """Return the wear of a specimen by its last test on a rig; None where it is unknown."""
+    """Return the wear of a specimen from its last test on a rig, None where unknown."""
     last = _kept(rig)
     file = last.specimens.get(specimen, "") if last is not None and specimen else ""
     if not file:
@@ -174,7 +174,7 @@ def last_wear(rig: Path, specimen: str) -> SpecimenWear | None:
 
 
 def cut_off(rig: Path) -> str:
-    """Return a sentence where a rig's last test was cut off, else an empty text."""
+    """Return a sentence if a rig's last test was cut off, else an empty text."""
     last = _kept(rig)
     if last is None:
         return ""

@@ -28,19 +28,19 @@ from rigapp.texts import say
 log = logging.getLogger(__name__)
 
 LONGEST_SOCKET_FOLDER = 80
-"""Characters: the system allows 107 for the path of a socket, its name included."""
+"""Maximum length of the folder: systems allow 107 characters for the complete socket path."""
 
 LEFT_BEHIND = (
     r"(?:engine-|starting-|twin-|notifier-)?(?P<pid>\d+)"
     r"(?:\.(?:json|part|commands|snapshots)|-[0-9a-f]+)"
 )
-"""Entries and sockets in the runtime folder, each with the process id of its owner."""
+"""Names of entries and sockets in the runtime folder, each with its owner's process id."""
 
 
 class EngineEntry(msgspec.Struct, frozen=True):
     """The addresses and the rig of a running engine.
 
-    server_key: public CurveZMQ key (Z85) where viewers must show theirs, else empty.
+    server_key: public CurveZMQ key (Z85) where viewers must authenticate, else empty.
     """
 
     pid: int
@@ -53,7 +53,10 @@ class EngineEntry(msgspec.Struct, frozen=True):
 
 
 def runtime_folder() -> Path:
-    """Return the private folder for sockets and entries, made if missing; raise UnusableInput."""
+    """Return the private folder for sockets and entries, created if missing.
+
+    Raises UnusableInput.
+    """
     named = os.environ.get("RIGAPP_RUNTIME_DIR")
     session = os.environ.get("XDG_RUNTIME_DIR")
     if named:
@@ -69,8 +72,8 @@ def runtime_folder() -> Path:
 def lasting_folder() -> Path:
     """Return the private folder for files that outlive a restart of the computer: keys.
 
-    The folder that RIGAPP_RUNTIME_DIR names, else the user's folder for data; keys that an earlier
-    version made in the runtime folder come along. Raises UnusableInput.
+    The folder in RIGAPP_RUNTIME_DIR, else the user's data folder; keys made by an earlier version
+    in the runtime folder are moved to it. Raises UnusableInput.
     """
     before = runtime_folder()
     if os.environ.get("RIGAPP_RUNTIME_DIR"):
@@ -84,8 +87,8 @@ def lasting_folder() -> Path:
 def kept_of(rig: Path, what: str) -> Path:
     """Return the file for data of a rig that outlive a restart.
 
-    Where the user's folder for data cannot be used it is in the runtime folder, which a restart of
-    the computer may empty: a test starts all the same. Raises UnusableInput.
+    Without a usable data folder of the user it is in the runtime folder, which a restart of the
+    computer may empty, so that a test can start. Raises UnusableInput.
     """
     name = hashlib.sha256(str(rig.resolve()).encode()).hexdigest()[:16]
     try:
@@ -97,9 +100,9 @@ def kept_of(rig: Path, what: str) -> Path:
 
 
 def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
-    """Return (commands, snapshots) addresses: Unix sockets, or ports of loopback where none can be.
+    """Return (commands, snapshots) addresses: Unix sockets, else loopback ports.
 
-    A folder with too long a name cannot hold a socket.
+    A folder with too long a path cannot contain a socket.
     """
     if sys.platform == "win32" or len(str(folder)) > LONGEST_SOCKET_FOLDER:
         return "tcp://127.0.0.1:*", "tcp://127.0.0.1:*"
@@ -107,7 +110,7 @@ def local_endpoints(folder: Path, pid: int) -> tuple[str, str]:
 
 
 def read_entry(path: Path) -> EngineEntry:
-    """Return the entry in a file, of an engine elsewhere for example; raise UnusableInput."""
+    """Return the entry in a file, for example of an engine elsewhere; raises UnusableInput."""
     try:
         return msgspec.json.decode(read_bytes(path, SMALL_BYTES), type=EngineEntry)
     except (OSError, ValueError) as error:
@@ -115,9 +118,9 @@ def read_entry(path: Path) -> EngineEntry:
 
 
 def announce(entry: EngineEntry) -> Path:
-    """Write the entry of this engine, which has started now, and return its path.
+    """Write the entry of this newly started engine and return its path.
 
-    Leftovers of dead engines are removed.
+    Files left by ended engines are removed.
     """
     remove_left_behind(runtime_folder(), LEFT_BEHIND)
     path = _write(f"engine-{entry.pid}.json", entry)
@@ -126,15 +129,15 @@ def announce(entry: EngineEntry) -> Path:
 
 
 def announce_start(rig: Path, pid: int) -> None:
-    """Write that a process will be the engine of a rig, long before it listens."""
+    """Record that a process will be the engine of a rig, before it listens."""
     _write(f"starting-{pid}.json", EngineEntry(pid, "", "", str(rig.resolve()), time.time()))
 
 
 @contextmanager
 def starting(rig: Path) -> Iterator[None]:
-    """Announce this process as the starting engine of a rig, and withdraw it at the end.
+    """Announce this process as the starting engine of a rig, and withdraw the entry on exit.
 
-    A termination signal interrupts it until another handler is installed.
+    A termination signal interrupts the block until another handler is installed.
     """
     with ending_as_interrupt():
         try:
@@ -145,7 +148,7 @@ def starting(rig: Path) -> Iterator[None]:
 
 
 def starting_engine(rig: Path) -> int | None:
-    """Return the process that will be the engine of a rig, None when there is none."""
+    """Return the process id of the starting engine of a rig, None without one."""
     wanted = str(rig.resolve())
     return next((entry.pid for entry in _entries("starting-*.json") if entry.rig == wanted), None)
 
@@ -167,7 +170,7 @@ def withdraw(pid: int) -> None:
 
 
 def other_version(engine: int, viewer: int) -> str:
-    """Return that an engine and a viewer use different protocols, as a sentence."""
+    """Return a sentence about different protocol versions of engine and viewer."""
     return say(
         "This engine speaks version {} of the protocol, the viewer version {}; use the"
         " same rigapp on both sides.",
@@ -177,7 +180,7 @@ def other_version(engine: int, viewer: int) -> str:
 
 
 def running_engines() -> list[EngineEntry]:
-    """Return the engines that are alive, oldest first; entries of dead ones are removed."""
+    """Return the running engines, oldest first; entries of ended ones are removed."""
     return _entries("engine-*.json")
 
 
@@ -186,7 +189,7 @@ def _entries(names: str) -> list[EngineEntry]:
     folder = runtime_folder()
     remove_left_behind(folder, LEFT_BEHIND)
     for path in folder.glob(names):
-        # A file of another user, or a link to one, must not lead a viewer to another engine.
+        # A file of another user, or a link, must not direct a viewer to another engine.
         text = read_own(path)
         try:
             entry = msgspec.json.decode(text or b"", type=EngineEntry)

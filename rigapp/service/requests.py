@@ -1,4 +1,4 @@
-"""Carry out what viewers request of an engine, and keep one of them in control."""
+"""Execute the requests of viewers to an engine, and manage the control of one of them."""
 
 from __future__ import annotations
 
@@ -43,18 +43,19 @@ from rigapp_drivers.api import DeviceError
 
 # Control of an engine: several viewers may observe, one of them operates.
 #
-# Control is optional: until a viewer takes it, every viewer may do everything. Then requests of
-# others that change something are refused, except safety verbs.
+# Control is optional: until a viewer takes it, every viewer may send any request. Afterwards
+# requests of others that change something are refused, except safety verbs.
 
 GONE_AFTER_S = 10.0
-"""Control is free again when its holder has sent nothing for so long."""
+"""Time without a message of the holder after which control is released."""
 
 ASLEEP_S = 2.0
-"""A longer pause between two checks is this process's own; it does not count for the holder."""
+"""Pause between two checks above which this process was suspended; it does not count for the
+holder."""
 
 
 Log = Callable[[str, str, str, str], None]
-"""Takes the text of an event, the operator, and the holder of control before and after."""
+"""Function that logs an event's text, the operator, and the holder of control before and after."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +70,7 @@ class ControlLock:
     """The control of one operator; every method may be called from any thread."""
 
     def __init__(self, log: Log, clock: Callable[[], float] = time.monotonic) -> None:
-        """Begin without a holder; ``log`` is called at every change."""
+        """Start without a holder; log: called at every change."""
         self._log = log
         self._clock = clock
         self._lock = threading.Lock()
@@ -83,7 +84,7 @@ class ControlLock:
         return holder.name if holder is not None else ""
 
     def look(self) -> None:
-        """Release the control of a lost holder; to be called several times a second."""
+        """Release control if its holder is lost; to be called several times a second."""
         with self._lock:
             now = self._clock()
             if now - self._looked > ASLEEP_S:
@@ -98,7 +99,7 @@ class ControlLock:
         self._log(text, "engine", holder.name, "")
 
     def judge(self, request: Request) -> None:
-        """Raise Refused when the request needs control, which another viewer holds."""
+        """Raise Refused when the request needs control and another viewer holds it."""
         with self._lock:
             holder = self._holder
             if holder is None:
@@ -148,7 +149,7 @@ class ControlLock:
         self._log(say("released control"), holder.name, holder.name, "")
 
     def present(self, request: Request) -> dict[str, bool]:
-        """Return whether the sender still has control (``judge`` has noted the heartbeat)."""
+        """Return whether the sender still has control (``judge`` has recorded the heartbeat)."""
         holder = self._holder
         return {"in_command": holder is not None and holder.client == request.client}
 
@@ -156,22 +157,22 @@ class ControlLock:
 log = logging.getLogger(__name__)
 
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
-"""Errors that are a sentence for the requester, not a defect."""
+"""Errors that are reported to the requester as a sentence, not as a defect."""
 
 HAND_LOOKS = 3
-"""Readings of both counts before an action: of three, one is not delayed by the computer."""
+"""Number of readings of both counts before an action: at least one of three is not delayed."""
 
 
 class RequestHandler:
-    """Carry out the requests of all viewers of a host."""
+    """Execute the requests of all viewers of a host."""
 
     def __init__(self, host: Any) -> None:
-        # An ``EngineHost``, which makes this: importing it would make a cycle.
+        # An ``EngineHost``, which creates this object; importing it would be circular.
         self._host = host
         self._verbs = self._table()
 
     def handle(self, request: Request) -> Reply:
-        """Carry out a request; a refusal is returned as one sentence, and logged."""
+        """Execute a request; a refusal is returned as one sentence, and logged."""
         self._host.reports.note_name(request.operator)
         reply = self._handled(request)
         if not reply.ok:
@@ -195,7 +196,7 @@ class RequestHandler:
         return result if isinstance(result, Reply) else Reply(ok=True, result=result)
 
     def _table(self) -> dict[str, Callable[[Any, Request], Any]]:
-        """Return the function of each verb, of the record of its arguments and the request."""
+        """Return the function of each verb, called with its arguments' record and the request."""
         engine, command, simulated = self._host.engine, self._host.command, self._host.simulated
         return {
             "hello": lambda a, by: {"version": PROTOCOL_VERSION, "pid": os.getpid()},
@@ -248,7 +249,7 @@ class RequestHandler:
         self._host.engine.set_limit(requested.name, requested.value, by.operator, requested.reason)
 
     def _hand_request(self, requested: Hand, by: Request) -> dict[str, int]:
-        """Carry out a simulated operator's action; return the first device sample after it."""
+        """Execute an action of the simulated operator; return the first device sample after it."""
         simulated, behind = self._host.simulated, self._host.behind
         process = simulated.process
         for _ in range(HAND_LOOKS):
@@ -266,7 +267,7 @@ class RequestHandler:
         self._host.engine.resume(by.operator)
 
     def _zero_request(self, requested: Zero, by: Request) -> Any:
-        self._host.calibration.judge()  # a weight on the pin would be in the zero
+        self._host.calibration.judge()  # the zero would include a weight on the pin
         return self._host.engine.zero(requested.what, by.operator, requested.reason)
 
     def _begin_calibration(self, requested: BeginCalibration, by: Request) -> Any:
@@ -286,7 +287,7 @@ class RequestHandler:
         self._put_together()
 
     def _put_together(self) -> None:
-        """Undo a training on the simulated rig: the crank would stay locked."""
+        """Undo a training on the simulated rig, which would leave the crank locked."""
         try:
             if self._host.engine.state not in ACTIVE:
                 self._host.simulated.put_together()

@@ -1,11 +1,11 @@
-"""Resuming an interrupted test: the differences between its file and the rig now.
+"""Resuming an interrupted test: differences between its file and the present rig.
 
-``read_past`` reads the file, ``compare`` judges (pure), ``remarks`` returns the log entries.
-A device of another kind, another encoder, a simulated device in place of a real one, an expired
-calibration refuse; another calibration, a zero or signals at rest that moved by more than
-``ZERO_SHARE`` of the full scale need a reason, which is recorded; smaller things are noted. Signals
-at rest are compared where the crank is known to be at the same angle: spring and weight press on
-the pin by other forces at another one.
+``read_past`` reads the file, ``compare`` evaluates it (pure), ``remarks`` returns the log entries.
+A device of another kind, another encoder, a simulated device in place of a real one, or an expired
+calibration prevent resuming; another calibration, or a change of the zero or of signals at rest by
+more than ``ZERO_SHARE`` of the full scale, needs a reason, which is recorded; smaller differences
+are noted. Signals at rest are compared only if the crank is known to be at the same angle, since
+the forces of spring and weight on the pin depend on it.
 """
 
 from __future__ import annotations
@@ -41,27 +41,27 @@ from rigapp.texts import joined, say
 from rigapp.twin.measureddepth import FIRST_STEADY, NEW_REVOLUTIONS
 
 ZERO_SHARE = 0.02
-"""A zero that moved by more of the load cell's full scale needs a reason."""
+"""Change of the zero, as a share of the load cell's full scale, above which a reason is needed."""
 
 SAME_ANGLE_DEG = 5.0
-"""Within it a spring of 525 N/m on a crank of 76 mm presses by 3.5 N more or less."""
+"""Tolerance of the angle: a spring of 525 N/m on a crank of 76 mm changes by 3.5 N within it."""
 
 FITTED = 50
-"""The twin may not have answered to the last rows: so many of its last depths are used."""
+"""Number of newest depths of the twin that are used; it may not have predicted the last rows."""
 
 SAME, SAME_ABOUT_ZERO = 1e-9, 1e-15
-"""Numbers of two records that differ by less were rounded when they were written."""
+"""Relative and absolute difference of numbers in two records that is due to rounding."""
 
 NOT_COMPARED = ("record", "tare_mV_per_V", "tare_crank_angle_deg", "frame", "sign")
 
 UNSTEADY = ("status", "supply_V", "logic_V", "temperature_C")
-"""Readings of a device that differ from time to time."""
+"""Readings of a device that vary."""
 
 Pair = tuple[float, float]
 
 
 class Fit(enum.StrEnum):
-    """Whether a comparison allows the test to go on."""
+    """Consequence of a comparison for resuming the test."""
 
     GOOD = "good"
     NOTED = "noted"
@@ -80,7 +80,7 @@ class Compared(msgspec.Struct, frozen=True):
 
 
 class Resumption(msgspec.Struct, frozen=True):
-    """Everything that an operator should see before a test goes on. Times: UTC seconds."""
+    """All findings for the operator before a test is resumed. Times: UTC seconds."""
 
     file: str
     title: str
@@ -95,14 +95,14 @@ class Resumption(msgspec.Struct, frozen=True):
 
     @property
     def blocked(self) -> str:
-        """Return why the test cannot go on on this rig, empty when it can."""
+        """Return why the test cannot be resumed on this rig, empty when it can."""
         return joined(
             "; ", (finding.sentence for finding in self.findings if finding.fit is Fit.BLOCKS)
         )
 
     @property
     def asks_reason(self) -> str:
-        """Return what needs a reason, empty for nothing."""
+        """Return the findings that need a reason, empty without any."""
         return joined(
             "; ", (finding.sentence for finding in self.findings if finding.fit is Fit.REASON)
         )
@@ -130,9 +130,9 @@ class Past:
 
 
 def read_past(path: Path) -> Past:
-    """Read the data of a file that a resumption needs; raise UnusableInput.
+    """Read the data of a file needed to resume its test; raises UnusableInput.
 
-    A complete test and one that another process writes are refused here, before a device is opened.
+    A complete test and one written by another process are refused, before a device is opened.
     """
     with open_test(path) as reader:
         status = reader.summary()["status"]
@@ -189,8 +189,8 @@ def _new_position(reader: Any) -> Pair | None:
 def wear_of(reader: TestReader) -> SpecimenWear | None:
     """Return the wear of the specimen at a test's last row: a line through the newest depths.
 
-    If depths are not believed any more, the last believed one; if none is known, that of the
-    test's start.
+    If the newest depths are not plausible, the last plausible one; without any, that of the test's
+    start.
     """
     worn: SpecimenWear | None = None
     for event in reader.events():
@@ -216,10 +216,10 @@ def compare(
     blocking: Mapping[str, str],
     now: float | None = None,
 ) -> Resumption:
-    """Judge whether a test can go on on this rig.
+    """Evaluate whether a test can be resumed on this rig.
 
-    rig: as now, with the numbers of its records. calibration, devices, rest: of the connection.
-    blocking: why calibration records forbid a start.
+    rig: present rig file, with the numbers of its records. calibration, devices, rest: of the
+    connection. blocking: reasons why calibration records prevent a start.
     """
     moment = time.time() if now is None else now
     findings = [
@@ -276,7 +276,7 @@ def _of_rig(past: Past, rig: RigFile) -> Iterator[Compared]:
 def _of_kind(
     what: str, then: DeviceSection, now: DeviceSection, otherwise: Fit
 ) -> Iterator[Compared]:
-    """Compare whether a device is simulated: measured and simulated values must not mix."""
+    """Compare whether a device is simulated, since measured and simulated values must not mix."""
     was, is_now = ("simulated" if device.simulated else "real" for device in (then, now))
     if was != is_now:
         text = say("{}: {} in the test, {} in this rig", what, was, is_now)
@@ -330,7 +330,7 @@ def _steady_equal(key: str, before: Any, now: Any) -> bool:
 
 
 def _same(before: Any, now: Any) -> bool:
-    """Compare values that another version may not have written: missing counts as zeros."""
+    """Compare values that another version may not have written; missing ones count as zeros."""
     if before is not None and now is not None:
         return _equal(before, now)
     try:
@@ -340,7 +340,7 @@ def _same(before: Any, now: Any) -> bool:
 
 
 def _equal(before: Any, now: Any) -> bool:
-    """Compare texts as texts, numbers and lists of them as numbers, tables key by key."""
+    """Compare texts exactly, numbers and lists of numbers within rounding, tables by key."""
     if isinstance(now, Mapping) and isinstance(before, Mapping):
         return before.keys() == now.keys() and all(_equal(before[k], now[k]) for k in now)
     try:
@@ -453,7 +453,7 @@ def _same_angle(before: float | None, now: float | None) -> bool:
 
 
 def stored_tare(past: Past) -> tuple[Pair, float | None] | None:
-    """Return the tare of the test and the crank angle (rad) of it, None when it had none."""
+    """Return the tare of the test and its crank angle (rad), None without a tare."""
     cell = past.calibration.get("load_cell", {})
     tare, degrees = cell.get("tare_mV_per_V"), cell.get("tare_crank_angle_deg")
     if tare is None or not any(tare):
@@ -464,7 +464,7 @@ def stored_tare(past: Past) -> tuple[Pair, float | None] | None:
 def remarks(resumption: Resumption, operator: str, reason: str) -> list[LogEntry]:
     """Return the log entries.
 
-    Raises Refused when the test cannot go on, or not without a reason.
+    Raises Refused when the test cannot be resumed, or needs a reason and has none.
     """
     if resumption.blocked:
         raise Refused("{} cannot continue here: {}", resumption.file, resumption.blocked)
@@ -494,7 +494,7 @@ def remarks(resumption: Resumption, operator: str, reason: str) -> list[LogEntry
 
 
 def interval(seconds: float) -> str:
-    """Return a time in words of one unit."""
+    """Return a duration as text in one unit."""
     for unit, size in (("days", 86400.0), ("h", 3600.0), ("min", 60.0)):
         if seconds >= 2 * size:
             return say("{:.1f} {}", seconds / size, unit)

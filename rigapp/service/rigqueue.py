@@ -1,4 +1,4 @@
-"""The queue of a rig: adding tests, and its thread: when a test ends, the next one begins."""
+"""The queue of a rig: add tests, and a thread that starts the next test when one ends."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ log = logging.getLogger(__name__)
 
 LOOK_S = 0.2
 TRY_AGAIN_S = 2.0
-"""A queue that could not be written is written again after it."""
+"""Time after which a failed write of the queue is repeated."""
 SILENCE_S = 150.0
-"""Beginning a test may take as long as its request."""
+"""Longest time for starting a test, that of its request."""
 END_S = 20.0
-"""The end of an engine waits no longer for a test that is just starting."""
+"""Longest wait, at the end of an engine, for a test that is starting."""
 
 
 def add_tests(store: QueueStore, rig: RigFile, tests: Sequence[Path], folder: Path) -> Queue:
-    """Put tests at the end of a queue, and return it; raise UnusableInput, none is added then.
+    """Append tests to a queue and return it; raises UnusableInput and then adds none.
 
-    Each can be read, and fits the rig.
+    Each must be readable and fit the rig.
     """
     for path in tests:
         check_fit(rig, read_test(path))
@@ -41,10 +41,10 @@ def add_tests(store: QueueStore, rig: RigFile, tests: Sequence[Path], folder: Pa
 
 
 class RigQueue:
-    """The queue of one rig, with the thread that works through it."""
+    """The queue of one rig, with the thread that processes it."""
 
     def __init__(self, rig: Path, hands: QueueActions, ends: Notices) -> None:
-        """Continue the stored queue; an unusable one is reported, and stops no test."""
+        """Continue the stored queue; an unusable one is reported but stops no test."""
         self.store = QueueStore(kept_of(rig, "queues"), rig)
         self._worker = QueueWorker(self.store, hands)
         self._tell = hands.tell
@@ -59,11 +59,11 @@ class RigQueue:
         self._thread.start()
 
     def halt(self) -> None:
-        """Begin no further test; ``close`` notes the ends."""
+        """Start no further test; ``close`` records the ends."""
         self._thread.halt()
 
     def close(self) -> None:
-        """Note how the engine's tests ended, and end the thread."""
+        """Record the ends of the engine's tests, and end the thread."""
         self._thread.halt()
         if not self._thread.join(END_S):
             log.warning("the queue did not end within %g s", END_S)
@@ -77,7 +77,7 @@ class RigQueue:
             log.warning("how the last test ended is not noted in the queue: %s", error)
 
     def _heard(self, wait_s: float) -> bool:
-        """Take the next notice, if there is one."""
+        """Process the next notice; return whether there was one."""
         notice = self._ends.get(wait_s)
         if isinstance(notice, Finished):
             self._unnoted = notice

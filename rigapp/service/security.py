@@ -1,12 +1,12 @@
-"""The addresses of an engine and access to them: by Unix sockets freely, to ports by key.
+"""Addresses of an engine and access to them: Unix sockets without keys, ports with keys.
 
-Every account of a computer reaches its ports, those of loopback too. So each viewer of a port needs
-a CurveZMQ key pair whose public half lies in the engine's folder of authorised viewers; the
-viewers of the engine's own user are authorised by the engine itself.
+Every account of a computer can reach its ports, loopback included. Each viewer of a port therefore
+needs a CurveZMQ key pair whose public key is in the engine's folder of authorised viewers; viewers
+of the engine's own user are authorised by the engine.
 
-Keys lie in ``keys`` in the lasting folder (see ``registry``): ``server.key_secret``,
-``viewer.key_secret`` (both readable by their owner alone) and ``authorised/*.key``. A key that is
-put into or taken out of that folder counts at once for viewers that attach from then on.
+Keys are in ``keys`` in the lasting folder (see ``registry``): ``server.key_secret``,
+``viewer.key_secret`` (both readable by their owner only) and ``authorised/*.key``. Adding or
+removing a key there takes effect immediately for viewers that attach afterwards.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ Socket = zmq.Socket[Any]
 
 
 class Bind(msgspec.Struct, frozen=True):
-    """The address where an engine listens; port 0 lets the system choose.
+    """Address on which an engine listens; port 0: chosen by the system.
 
-    remote: viewers on other computers are expected.
+    remote: whether viewers on other computers are expected.
     """
 
     address: str
@@ -44,7 +44,7 @@ class Bind(msgspec.Struct, frozen=True):
     remote: bool
 
     def endpoints(self) -> tuple[str, str]:
-        """Return the addresses for commands and snapshots: a port and the next one."""
+        """Return the addresses for commands and snapshots: the port and the next one."""
         host = f"[{self.address}]" if ":" in self.address else self.address
         if self.port == 0:
             return f"tcp://{host}:*", f"tcp://{host}:*"
@@ -61,8 +61,8 @@ class KeyPair(msgspec.Struct, frozen=True):
 def parse_bind(text: str) -> Bind:
     """Return the address of ``--bind tcp://ADDRESS:PORT``; raise UnusableInput.
 
-    A wildcard is refused: viewers could not take the address from the entry, and it would open
-    unintended interfaces.
+    A wildcard is refused: viewers could not use it as an address, and it would open unintended
+    interfaces.
     """
     parts = re.fullmatch(r"tcp://(?:\[([^\]]+)\]|([^:/]+)):(\d{1,5})", text)
     if parts is None:
@@ -76,9 +76,9 @@ def parse_bind(text: str) -> Bind:
 
 
 def interface_address(option: str, name: str) -> Address:
-    """Return the address of one interface by its number, or "localhost"; raise UnusableInput.
+    """Return the numeric address of an interface, or "localhost"; raises UnusableInput.
 
-    option: its name, for the sentence.
+    option: name of the option, for the sentence.
     """
     try:
         address = ipaddress.ip_address("127.0.0.1" if name == "localhost" else name)
@@ -92,25 +92,25 @@ def interface_address(option: str, name: str) -> Address:
 
 
 def server_keys(folder: Path) -> KeyPair:
-    """Return the engine's key pair, made when missing; raise UnusableInput when it is not private.
+    """Return the engine's key pair, created if missing; raises UnusableInput if it is not private.
 
-    folder: the lasting one.
+    folder: the lasting folder.
     """
     return _keys(folder, "server")
 
 
 def viewer_keys(folder: Path) -> KeyPair:
-    """Return this user's key pair as a viewer, made when missing; raise UnusableInput."""
+    """Return this user's key pair as a viewer, created if missing; raises UnusableInput."""
     return _keys(folder, "viewer")
 
 
 def authorised_folder(folder: Path) -> Path:
-    """Return the folder of the public keys that may attach, made when missing."""
+    """Return the folder of authorised public keys, created if missing."""
     return private_folder(private_folder(folder / "keys") / "authorised")
 
 
 def authorise_own_viewer(folder: Path) -> None:
-    """Let viewers of this user on this computer attach; they could read the server's key anyway."""
+    """Authorise viewers of this user on this computer, who can read the server's key anyway."""
     path = authorised_folder(folder) / OWN
     viewer_keys(folder)
     path.write_bytes((folder / "keys" / "viewer.key").read_bytes())
@@ -131,7 +131,7 @@ def require_viewers(folder: Path, bind: Bind) -> None:
 
 
 class KeyCheck:
-    """Let only authorised viewers attach to the sockets of one context (ZAP, CurveZMQ)."""
+    """Restrict the sockets of one context to authorised viewers (ZAP, CurveZMQ)."""
 
     def __init__(self, context: Context, folder: Path) -> None:
         """Start the authenticator; must come before the sockets are bound."""
@@ -147,12 +147,12 @@ class KeyCheck:
         return self._keys.public.decode()
 
     def protect(self, socket: Socket) -> None:
-        """Make a socket that is not bound yet require an authorised key."""
+        """Make a socket require an authorised key; to be called before it is bound."""
         socket.curve_publickey = self._keys.public
         socket.curve_secretkey = self._keys.secret
         socket.curve_server = True
         socket.zap_domain = DOMAIN.encode()
-        # Without this, a socket whose authenticator has died would accept every viewer.
+        # Otherwise a socket whose authenticator has failed would accept every viewer.
         socket.setsockopt(zmq.ZAP_ENFORCE_DOMAIN, 1)
 
     def callback(self, domain: str, key: bytes) -> bool:
@@ -160,12 +160,12 @@ class KeyCheck:
         return key in _public_keys(self._authorised)
 
     def close(self) -> None:
-        """Stop the authenticator: no viewer is accepted any more."""
+        """Stop the authenticator: no further viewer is accepted."""
         self._authenticator.stop()
 
 
 def present_keys(socket: Socket, server_key: str, keys: KeyPair) -> None:
-    """Make a viewer's socket that is not connected yet send its key and require the server's."""
+    """Set a viewer's keys and the required server key on a socket, before it connects."""
     socket.curve_publickey = keys.public
     socket.curve_secretkey = keys.secret
     socket.curve_serverkey = server_key.encode()
@@ -201,7 +201,7 @@ def _keys(folder: Path, name: str) -> KeyPair:
 
 
 def _make(folder: Path, name: str) -> None:
-    """Make a key pair; the secret is private from its first byte on."""
+    """Create a key pair; the secret file is private before its first byte."""
     before = os.umask(0o077)
     try:
         zmq.auth.create_certificates(folder, name)

@@ -1,13 +1,12 @@
 """Serve an engine over ZeroMQ: commands with a reply, and a stream of snapshots.
 
 Commands arrive on a ROUTER socket and are answered in the order in which they finish; each safety
-verb has threads of its own (``verbs``, ``RequestQueue``), so that no number of slow ones delays
-it. Too many requests at once are answered "busy", unreadable ones are answered and survived.
-Snapshots leave on a second ROUTER socket, to every viewer that sent an empty message, with a short
-queue for each: a viewer that lags misses some, and sees the gap in ``Snapshot.first_row``. It is
-no PUB socket: that one keeps every topic that a viewer subscribes to, without a bound.
-``Server.watched`` returns whether a viewer is attached. With keys, a viewer whose key is not
-authorised reaches neither.
+verb has its own threads (``verbs``, ``RequestQueue``), so that slow requests do not delay it.
+Excess requests are answered "busy"; unreadable ones are answered, too.
+Snapshots are sent on a second ROUTER socket to every viewer that sent an empty message, with a
+short queue for each: a slow viewer misses some, and sees the gap in ``Snapshot.first_row``. A PUB
+socket is not used, since it stores every subscribed topic without a bound. ``Server.watched``
+returns whether a viewer is attached. With keys, viewers without an authorised key have no access.
 """
 
 from __future__ import annotations
@@ -38,29 +37,29 @@ from rigapp.service.registry import other_version
 from rigapp.service.security import KeyCheck
 from rigapp.texts import say, sentence_of_error
 
-# Receive the messages of viewers, and end a connection that takes memory without a bound.
+# Receive the messages of viewers, and end connections that use unlimited memory.
 #
-# libzmq holds the parts of a message until its last one has come, and bounds neither their number
-# nor their sum: ``MAXMSGSIZE`` bounds one part, ``RCVHWM`` counts whole messages. A program that
-# speaks ZMTP by itself and never ends its message filled 500 MB in 0.8 s. So the growth of the
-# process is monitored, and connections are ended at the level of the operating system: libzmq frees
-# their memory, and an innocent viewer among them connects again by itself.
+# libzmq holds the parts of a message until the last one arrives, and limits neither their number
+# nor their sum: ``MAXMSGSIZE`` limits one part, ``RCVHWM`` counts complete messages. A program that
+# implements ZMTP and never ends its message filled 500 MB in 0.8 s. The growth of the process is
+# therefore monitored, and connections are ended at the level of the operating system: libzmq frees
+# their memory, and a regular viewer among them reconnects automatically.
 
 GROWTH_BYTES = 100_000_000
-"""An engine grows by 15 MB from its start to a running test, and stays there."""
+"""Limit of the growth in memory; an engine grows by 15 MB up to a running test, and then stays."""
 PARTS = 8
-"""Of a message, at most; a request has two or three, and each takes 1 us to receive."""
-SETTLE_S = 1.0  # libzmq frees the parts in a thread of its own
+"""Maximum number of parts of a message; a request has two or three, each received in 1 us."""
+SETTLE_S = 1.0  # libzmq frees the parts in a separate thread
 
 log = logging.getLogger(__name__)
 Socket = zmq.Socket[bytes]
 
 
 class Connections:
-    """The connections of some sockets; all calls belong to the thread that serves them."""
+    """Connections of some sockets; to be used only by the thread that serves them."""
 
     def __init__(self, sockets: Iterable[Socket]) -> None:
-        """Begin to monitor sockets that are not bound yet."""
+        """Start to monitor sockets, before they are bound."""
         events = zmq.EVENT_ACCEPTED | zmq.EVENT_DISCONNECTED
         self._monitors = [socket.get_monitor_socket(events) for socket in sockets]
         self._handles: set[int] = set()
@@ -69,10 +68,10 @@ class Connections:
         self._settled_s = math.inf
 
     def receive(self, socket: Socket) -> list[bytes]:
-        """Return sender and body of the next message, nothing for one without an answer.
+        """Return sender and body of the next message, empty for one that needs no answer.
 
-        A message of too many parts is ignored, and its sender's connection ended while it goes on
-        to send. Raises zmq.Again where none waits.
+        A message of too many parts is ignored, and its sender's connection ended while it keeps
+        sending. Raises zmq.Again when no message is waiting.
         """
         first = frame = socket.recv(zmq.NOBLOCK, copy=False)
         parts = 1
@@ -83,15 +82,15 @@ class Connections:
             return [first.bytes, frame.bytes]
         self._note()
         handle = int(frame.get(zmq.SRCFD))
-        if _sends(handle):  # its sender still: another's connection may have the handle by now
+        if _sends(handle):  # still the sender's: another connection may have reused the handle
             log.warning("a message of %d parts: its sender's connection is ended", parts)
             self._end({handle})
         return []
 
     def bound_memory(self, now_s: float, *, busy: bool) -> None:
-        """End connections when the process has grown: those that send now, else all of them.
+        """End connections when the process has grown: those that are sending, else all.
 
-        busy: a request is under way: it may need the memory, and waits for its reply.
+        busy: a request is being executed, which may need the memory and waits for its reply.
         """
         self._note()
         used = self._process.memory_info().rss
@@ -104,7 +103,7 @@ class Connections:
             return
         guilty = {handle for handle in self._handles if _sends(handle)}
         if not guilty and not busy:
-            if now_s > self._settled_s:  # none of them has taken the memory
+            if now_s > self._settled_s:  # none of them uses the memory
                 self._usual, self._settled_s = used, math.inf
                 return
             guilty = set() if self._settled_s < math.inf else set(self._handles)
@@ -114,7 +113,7 @@ class Connections:
         self._end(guilty)
 
     def _note(self) -> None:
-        """Record the connections that have begun and ended."""
+        """Record new and ended connections."""
         for monitor in self._monitors:
             while monitor.poll(0):
                 event = recv_monitor_message(monitor)
@@ -134,7 +133,7 @@ class Connections:
 
 
 def _sends(handle: int) -> bool:
-    """Return whether a connection has unread data; that of a viewer rarely has."""
+    """Return whether a connection has unread data, which is rare for a viewer."""
     try:
         connection = os_socket.socket(fileno=handle)
     except OSError:
@@ -148,22 +147,22 @@ def _sends(handle: int) -> bool:
 
 
 UNDER_WAY = {Priority.SAFETY: 4, Priority.LOOK: 16, Priority.WORK: 16}
-"""Requests that are carried out at once: of each safety verb, and of each other lane."""
+"""Number of concurrent requests: of each safety verb, and of each other priority."""
 
 REQUEST_QUEUE = 100  # of each connection: 6.4 MB at most
-SNAPSHOT_QUEUE = 4  # a viewer that lags needs the newest
+SNAPSHOT_QUEUE = 4  # a slow viewer needs only the newest
 SUBSCRIPTION = b""
-"""The message of a viewer that subscribes to snapshots; nothing else is accepted there."""
+"""Message of a viewer that subscribes to snapshots, the only one accepted on their socket."""
 SUBSCRIPTION_BYTES = 1024  # a CurveZMQ handshake takes about 300
 VIEWERS = 64
-"""Viewers that get snapshots at once; a rig has a few windows and a page."""
-PUBLISH_PERIOD_S = 0.05  # as smoothly do live values move, to an eye
+"""Maximum number of viewers of snapshots; a rig has a few windows and a page."""
+PUBLISH_PERIOD_S = 0.05  # smooth live values
 MEMORY_PERIOD_S = 0.05  # a sender on this computer fills 30 MB meanwhile
 HASTE_S = 0.1
-"""In this time, two snapshots are sent early: of a revolution that has just ended, and of its
-prediction. A real rig turns more slowly; a faster simulated one waits for its turn."""
+"""Period in which two snapshots are sent early: of a revolution that has just ended, and of its
+prediction. A real rig is slower; a faster simulated one is limited by this period."""
 POLL_MS = 10  # latest delay of a request
-CLOSE_S = 5.0  # for requests under way; a handler that takes longer is abandoned
+CLOSE_S = 5.0  # for running requests; a handler that takes longer is abandoned
 LINGER_MS = 200  # longest time for sending the last snapshot
 
 Handler = Callable[[Request], Reply]
@@ -171,16 +170,16 @@ Source = Callable[[], Snapshot]
 
 
 class _Head(msgspec.Struct, frozen=True):
-    """The common part of every version of a request: enough to answer one of another version."""
+    """Common part of all versions of a request, sufficient to answer another version."""
 
     version: int = 0
     identifier: int = 0
 
 
 class RequestQueue:
-    """Run each request in a thread while its priority has one left.
+    """Run each request in a thread, up to the number of threads of its priority.
 
-    They are daemons: a hanging one never keeps the process from ending.
+    They are daemon threads, so that a hanging one does not keep the process from ending.
     """
 
     def __init__(self) -> None:
@@ -189,12 +188,12 @@ class RequestQueue:
 
     @property
     def busy(self) -> bool:
-        """Return whether a request is under way."""
+        """Return whether a request is being executed."""
         with self._lock:
             return any(self._under_way.values())
 
     def submit(self, verb: str, job: Callable[[], None]) -> str:
-        """Begin a job of a verb; return why it cannot be begun, "" when it was."""
+        """Start a job of a verb; return why it cannot be started, empty on success."""
         lane = verb_of(verb).lane
         name = verb if lane is Priority.SAFETY else lane.value
         bound = UNDER_WAY[lane]
@@ -237,13 +236,12 @@ class Server:
         on_viewers: Callable[[bool], None] = lambda watched: None,
         waits: Callable[[], bool] = lambda: False,
     ) -> None:
-        """Bind at once, so that the addresses are known; ``start`` begins to serve.
+        """Bind immediately, so that the addresses are known; ``start`` begins to serve.
 
         on_failure: called in the serving thread when viewers get no snapshots, or nothing at all.
-        on_viewers: called when the first viewer comes and when the last one has gone.
-        waits: returns whether there is data that viewers must have at once.
-        keys: the folder with the keys, when viewers must show theirs. Raises UnusableInput
-        when an address cannot be had.
+        on_viewers: called when the first viewer attaches and when the last one has detached.
+        waits: returns whether there is data that must be sent immediately. keys: folder with the
+        keys, if viewers must authenticate. Raises UnusableInput when an address is unavailable.
         """
         self._handler = handler
         self._on_failure = on_failure
@@ -255,7 +253,7 @@ class Server:
         self._key_check = KeyCheck(self._context, keys) if keys is not None else None
         self._router = self._context.socket(zmq.ROUTER)
         self._publisher = self._context.socket(zmq.ROUTER)
-        self._publisher.setsockopt(zmq.ROUTER_MANDATORY, 1)  # a lost viewer is an error
+        self._publisher.setsockopt(zmq.ROUTER_MANDATORY, 1)  # sending to a lost viewer raises
         for socket, size, waiting in (
             (self._router, MESSAGE_BYTES, REQUEST_QUEUE),
             (self._publisher, SUBSCRIPTION_BYTES, SNAPSHOT_QUEUE),
@@ -280,15 +278,15 @@ class Server:
 
     @property
     def public_key(self) -> str:
-        """Return the key that viewers need, empty where none is needed."""
+        """Return the key that viewers need, empty if none is needed."""
         return self._key_check.public_key if self._key_check is not None else ""
 
     def start(self) -> None:
-        """Begin to serve."""
+        """Start to serve."""
         self._thread.start()
 
     def close(self) -> None:
-        """Publish the last snapshot, answer requests under way, release the sockets."""
+        """Publish the last snapshot, answer running requests, release the sockets."""
         self._stop.set()
         if self._thread.is_alive():
             self._thread.join(timeout=CLOSE_S)
@@ -371,7 +369,7 @@ class Server:
             return
         sender, body = message
         identifier = 0
-        # Any error: a strange message must never end the thread that receives "stop".
+        # Any error: no message may end the thread that receives "stop".
         try:
             head = msgspec.msgpack.decode(body, type=_Head)
             identifier = head.identifier
@@ -430,7 +428,7 @@ class Server:
 
 
 class _Period:
-    """A period: returns whether its next moment has come."""
+    """Timer for periodic actions."""
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
@@ -446,14 +444,14 @@ class _Period:
 
 
 class _Haste:
-    """Allow an action twice in a time."""
+    """Limit an action to two in a period."""
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
         self._last = self._before = -math.inf
 
     def allowed(self, now: float) -> bool:
-        """Return True, and count it, if the action may happen now; now: s of any clock."""
+        """Return whether the action is allowed now, and count it; now: s of any clock."""
         if now - self._before < self._seconds:
             return False
         self._before, self._last = self._last, now

@@ -1,4 +1,4 @@
-"""The simulated rig of an engine: started when needed, again for another mechanism."""
+"""The simulated rig of an engine: started on demand, restarted for another mechanism."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ Speed = float | Literal["max"]
 
 
 def parse_speed(text: str | None, rig: Document[RigFile]) -> Speed | None:
-    """Return the speed of ``--speed``, that of the rig file without it; raise UnusableInput.
+    """Return the speed of ``--speed``, by default that of the rig file; raises UnusableInput.
 
-    None when its samples are not simulated: the crank turns in real time then.
+    None when the samples are not simulated, since the crank then turns in real time.
     """
     simulation, simulated = rig.record.simulation, rig.record.simulated_samples
     if text is None:
@@ -44,7 +44,7 @@ class SimulatedDevices:
     """The simulated rig of one rig file, with the mechanism of the present test."""
 
     def __init__(self, rig: Document[RigFile], speed: Speed | None) -> None:
-        """Set what to start; nothing runs yet."""
+        """Set the rig and its speed without starting it."""
         self._rig = rig
         self.speed = speed
         self._process: SimulatedRig | None = None
@@ -58,7 +58,7 @@ class SimulatedDevices:
         return bool(self._rig.record.simulated_devices)
 
     def suits(self, parameters: ParameterFile | None) -> bool:
-        """Return whether the running rig is that of these parameters."""
+        """Return whether the running rig has these parameters."""
         if not self.needed:
             return True
         return (
@@ -69,7 +69,7 @@ class SimulatedDevices:
         )
 
     def ports(self, parameters: ParameterFile | None) -> Mapping[str, str]:
-        """Return the port of each simulated device, starting the rig (again) where it must be."""
+        """Return the port of each simulated device, starting or restarting the rig if necessary."""
         if not self.needed:
             return {}
         if not self.suits(parameters) or self._process is None:
@@ -83,15 +83,15 @@ class SimulatedDevices:
 
     @property
     def process(self) -> SimulatedRig:
-        """Return the running simulated rig; raise UnusableInput when there is none."""
+        """Return the running simulated rig; raises UnusableInput without one."""
         if self._process is None or not self._process.alive():
             raise UnusableInput("There is no simulated rig running; connect it first.")
         return self._process
 
     def fit(self, specimen: str, worn_um: float = 0.0) -> bool:
-        """Insert the bushing of a test, worn as it was, unless it is the present one.
+        """Insert the bushing of a test with its wear, unless it is the present one.
 
-        True when it was changed. Raises UnusableInput while the spindle turns.
+        Return True when it was changed. Raises UnusableInput while the spindle turns.
         """
         before, self._specimen = self._specimen, specimen
         new = before is None and worn_um <= 0.0
@@ -102,12 +102,12 @@ class SimulatedDevices:
         return True
 
     def hand(self, what: str, details: Mapping[str, Any]) -> None:
-        """Carry out an action of the simulated operator; raise UnusableInput, SimulationFailed."""
+        """Execute an action of the simulated operator; raises UnusableInput, SimulationFailed."""
         self._handled = True
         self.process.hand(what, **details)
 
     def put_together(self) -> None:
-        """Undo the simulated operator's actions: no weight, no mistake, the follower on the pin.
+        """Undo the simulated operator's actions: no weight, no mistake, follower on the pin.
 
         Raises UnusableInput while the spindle turns, SimulationFailed.
         """
@@ -126,14 +126,14 @@ class SimulatedDevices:
 
 
 class SampleNumbers:
-    """Relate the simulated rig's samples to the engine's, which lag by those on the wire.
+    """Relate the sample numbers of the simulated rig to the engine's, which lag in transit.
 
-    The engine's count less the rig's is at most the constant between the two numberings; the
-    largest difference seen is the best estimate of it.
+    The engine's count minus the rig's is at most the constant offset of the two numberings; the
+    largest observed difference is its best estimate.
     """
 
     def __init__(self) -> None:
-        """Begin without an estimate."""
+        """Start without an estimate."""
         self._difference: int | None = None
         self._processed = 0
 

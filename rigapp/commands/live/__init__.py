@@ -1,1 +1,1 @@
-"""Calibrations at a terminal that take their readings at a rig, or turn its spindle."""
+"""Calibrations on a terminal with readings from a rig, or with its spindle turning."""

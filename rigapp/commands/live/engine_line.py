@@ -33,8 +33,8 @@ def engine_line(
 ) -> Iterator[Ask]:
     """Yield a function that sends requests to the rig's engine; a refusal raises UnusableInput.
 
-    own: host an engine here even if another one runs (simulated rigs). test: with the mechanism of
-    a rig that is simulated here, by default the packaged one.
+    own: host an engine here even if another one runs (simulated rigs). test: has the mechanism of a
+    rig simulated here, by default the packaged one.
     """
     from rigapp.service.host import EngineHost
     from rigapp.service.simulated import parse_speed
@@ -59,10 +59,9 @@ def engine_line(
 
 @contextmanager
 def occupied(ask: Ask, what: str, fastest_rpm: float = 0.0) -> Iterator[str]:
-    """Let a calibration occupy the rig, and yield its key; end it in any case.
+    """Occupy the rig for a calibration and yield its key; the calibration always ends on exit.
 
-    fastest_rpm: at which its tests turn the spindle. Raises UnusableInput where the rig is not
-    free.
+    fastest_rpm: highest speed of its tests. Raises UnusableInput where the rig is occupied.
     """
     key = ask("calibration_begin", {"what": what, "fastest_rpm": fastest_rpm})["key"]
     try:
@@ -75,7 +74,7 @@ def occupied(ask: Ask, what: str, fastest_rpm: float = 0.0) -> Iterator[str]:
 
 
 def result_of(reply: Reply) -> Any:
-    """Return the result of an answer; raise UnusableInput for a refusal."""
+    """Return the result of a reply; raises UnusableInput for a refusal."""
     if not reply.ok:
         raise UnusableInput(reply.sentence)
     return reply.result
@@ -88,7 +87,7 @@ ENDED = "The calibration is ended; the readings so far stay in its journal."
 def release_calibration(
     rig: Path, reason: str, *, sure: bool, read: Callable[[str], str] = input
 ) -> int:
-    """Print who calibrates what, ask whether the pin is free, and end it; return the exit status.
+    """Show the open calibration, ask whether the pin is free, and end it; return the exit status.
 
     sure: do not ask. Raises UnusableInput without a terminal.
     """
@@ -117,7 +116,7 @@ def release_calibration(
 def _may_end(
     rig: Path, calibration: OpenCalibration | None, sure: bool, read: Callable[[str], str]
 ) -> bool:
-    """Return whether an open calibration shall end; raise UnusableInput where not."""
+    """Return whether to end an open calibration; raises UnusableInput where it may not end."""
     if calibration is None:
         print(f"{rig}: no calibration is open.")
         return False

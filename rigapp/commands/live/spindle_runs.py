@@ -1,6 +1,6 @@
-"""`rigapp calibrate run-out` and `running-check`: short tests of the engine, with all its guards.
+"""`rigapp calibrate run-out` and `running-check`: short tests with all limits of the engine.
 
-Each speed is a test with its own file, beside the record; both stay there.
+Each speed is a test with its own file beside the record; both are kept.
 """
 
 from __future__ import annotations
@@ -34,21 +34,23 @@ from rigapp.config.recipe import (
 from rigapp.config.rig import RigFile
 from rigapp_calibration.turning.running_check import LEAST_REVOLUTIONS
 
-LOOK_EVERY_S = 0.1  # the progress line moves ten times a second
+LOOK_EVERY_S = 0.1  # ten updates of the progress line a second
 RUN_RAMP = 3
-"""Revolutions beyond those wanted: the first ones carry the ramp."""
-SLOWEST_RAMP_RPM_PER_S = 60.0  # a usual drive's; a run's length allows for it at any speed
-RAMP_S = 2.0  # a faster run takes no longer than this to its speed
+"""Additional revolutions, since the first ones are the ramp."""
+SLOWEST_RAMP_RPM_PER_S = 60.0  # of a usual drive; the length of every run allows for it
+RAMP_S = 2.0  # longest ramp of faster runs
 OVERLOAD_SHARE = 0.5
-"""Of full scale: without the follower only the pin's own inertia pulls; half is a mistake."""
+"""Overload limit as a share of full scale: without the follower only the pin's inertia acts, and
+half of full scale indicates a mistake."""
 OVERSPEED_FACTOR, OVERSPEED_MORE_RPM = 1.3, 10.0
-"""A loop overshoots by 30 % at most; 10 rpm more, as the resolution of slow speeds is coarse."""
+"""Overspeed limit: a control loop overshoots by 30 % at most; 10 rpm more, since the resolution of
+slow speeds is coarse."""
 
 
 def take_runs(runs: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -> None:
-    """Take every run through the engine; raise UnusableInput.
+    """Perform all runs through the engine; raises UnusableInput.
 
-    line: to the engine. An interrupt stops the spindle under control first.
+    line: connection to the engine. An interrupt first stops the spindle under control.
     """
     fastest = max(run.rpm for run in runs.runs)
     with line as ask, occupied(ask, runs.what, fastest) as key:
@@ -85,9 +87,9 @@ def calibrate_run_out(
     orders: int,
     as_json: bool,
 ) -> int:
-    """Make the map from live rolls or from recorded ones; keep a record when it is good.
+    """Make the map from live or recorded rolls; save a record when it is accepted.
 
-    test: a test file whose mechanism and limits are kept in live rolls.
+    test: a test file whose mechanism and limits apply to live rolls.
     """
     if (rig is None) == (not recorded):
         raise UnusableInput(
@@ -131,7 +133,7 @@ def check_running(
     settings: Path | None,
     as_json: bool,
 ) -> int:
-    """Run the check and keep its record when it is passed; return the exit status."""
+    """Run the check and save its record when it passes; return the exit status."""
     document = read_rig(rig)
     here = document.record
     refuse_existing(to)
@@ -172,7 +174,7 @@ def check_running(
 
 
 def running_test(rig: RigFile, rpm: float, revolutions: int, operator: str) -> TestFile:
-    """Return the test of one speed: no cycles kept, no prediction, guards kept close."""
+    """Return the test of one speed: no stored cycles, no prediction, tight limits."""
     from rigapp.simulation.constants import packaged_parameters
 
     slowest_ramp = rpm / 120.0 * rpm / SLOWEST_RAMP_RPM_PER_S
@@ -197,7 +199,7 @@ def running_test(rig: RigFile, rpm: float, revolutions: int, operator: str) -> T
 
 @contextmanager
 def _bare_rig(rig: Document[RigFile], operator: str) -> Iterator[Ask]:
-    """Yield a line to the simulated rig after the simulated operator took its follower off."""
+    """Yield a connection to the simulated rig after the simulated operator removed its follower."""
     test = running_test(rig.record, 30.0, LEAST_REVOLUTIONS, operator)
     with engine_line(rig.path, operator, own=True, test=test) as ask:
         for action in BARE_PIN:

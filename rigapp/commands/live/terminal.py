@@ -1,4 +1,4 @@
-"""`rigapp calibrate` with live readings, step by step: a ``LiveSession`` on a terminal."""
+"""`rigapp calibrate` with live readings step by step: a ``LiveSession`` on a terminal."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.taking.signals import LISTEN_S
 
 PATIENCE_S = 60.0
-"""A weight that still swings after a minute needs a hand to steady it."""
+"""Longest wait for a steady signal: a weight that still swings then must be steadied by hand."""
 COUNTED_S = 30.0
-"""Between two messages about how long a load still hangs."""
+"""Period of messages about the remaining loading time."""
 LEAVES_OUT = "s leaves the creep out, "
-LOOK_EVERY_S = 0.03  # as fast as numbers can be read while a hand moves
+LOOK_EVERY_S = 0.03  # as fast as numbers can be read during an adjustment
 
 AnySession = LiveSession[Any, Any, Any]
 Say = Callable[[str], None]
@@ -38,7 +38,7 @@ Read = Callable[[str], str]
 
 
 class SimulatedHands:
-    """The simulated operator of a simulated rig, by the practice of a calibration."""
+    """The simulated operator of a simulated rig, controlled by the practice of a calibration."""
 
     def __init__(self, session: AnySession, ask: Ask) -> None:
         """Set the calibration with its practice, and the engine."""
@@ -46,11 +46,11 @@ class SimulatedHands:
         self.practice = session.practice
 
     def do(self, session: AnySession) -> None:
-        """Do the step under way."""
+        """Perform the present step."""
         self.carry_out(self.practice.act(session, next(iter(self.practice.mistakes)), 0))
 
     def carry_out(self, actions: Actions) -> None:
-        """Do actions; report the device time of each change to the session."""
+        """Perform actions; report the device time of each change to the session."""
         rate = float(self._ask("signals", {"window_s": LISTEN_S})["sample_rate_Hz"])
         for action in actions:
             result = self._ask(action.verb, dict(action.arguments))
@@ -59,7 +59,7 @@ class SimulatedHands:
 
 
 class Terminal:
-    """Ask the operator step by step; ``read`` is ``input`` or a script."""
+    """Guide the operator step by step; ``read`` is ``input`` or a script."""
 
     def __init__(
         self,
@@ -74,7 +74,7 @@ class Terminal:
         self._read, self._say, self._hands = read, say, hands
 
     def run(self) -> bool:
-        """Take every step; return False when the operator closes it to resume later."""
+        """Perform all steps; return False when the operator closes the session to resume later."""
         while not (procedure := self._session.procedure).done:
             self._say(f"\n[{procedure.progress}] {procedure.instruction}")
             try:
@@ -123,14 +123,14 @@ class Terminal:
         return True
 
     def _interrupted(self) -> bool:
-        """Ask whether the wait is given up; return False when the operator closes."""
+        """Ask whether to end the wait; return False when the operator closes the session."""
         answer = self._read(f"\n  {LEAVES_OUT}Enter goes on waiting, q closes: ").strip().lower()
         if answer == "s":
             self._session.leave_out()
         return answer != "q"
 
     def _reject(self) -> None:
-        """List the valid readings, ask which one to reject and why, reject it."""
+        """List the valid readings, and reject one with a reason."""
         session = self._session
         for number, reading in enumerate(session.procedure.taken, 1):
             if not reading.rejected:
@@ -141,16 +141,16 @@ class Terminal:
         session.reject(int(word) - 1, self._read("  reason: "))
 
     def _back(self) -> None:
-        """Take the newest reading again, with the reason."""
+        """Repeat the newest reading, with a reason."""
         self._session.back(self._read("  reason: "))
 
     def _note(self) -> None:
-        """Keep a remark for record and certificate."""
+        """Add a remark for record and certificate."""
         self._session.note(self._read("  note: "))
         self._say("  noted.")
 
     def _wait_ready(self) -> Any:
-        """Return a window that is ready; raise ProcedureError when none comes in time."""
+        """Return a window that is ready; raises ProcedureError after a time-out."""
         deadline = time.monotonic() + PATIENCE_S
         shown = ""
         while True:
@@ -201,12 +201,12 @@ class Terminal:
 
 
 def operator_of(settings: CalibrationFile) -> str:
-    """Return who calibrates: the operator of the settings, else the login name."""
+    """Return the operator of the settings, else the login name."""
     return settings.paperwork.operator or login_name()
 
 
 def sayer(as_json: bool) -> Say:
-    """Return the function for messages to the operator: on standard error beside JSON."""
+    """Return the function for messages to the operator, on standard error if JSON is printed."""
 
     def say(text: str) -> None:
         print(text, file=sys.stderr if as_json else sys.stdout, flush=True)
@@ -228,7 +228,7 @@ def calibrate(
     former: Path | None = None,
     read: Read = input,
 ) -> int:
-    """Save the record of a subject when its readings, of a table or live, are good; exit status.
+    """Calibrate a subject from a table or live; save an accepted record; return the exit status.
 
     requested: values of the plan by name (see the subject's ``plan``).
     """

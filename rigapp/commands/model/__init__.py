@@ -1,1 +1,1 @@
-"""``rigapp model``: the mechanism, one contact, a life, the paper."""
+"""``rigapp model``: mechanism, contact, wear life, the paper's comparisons."""

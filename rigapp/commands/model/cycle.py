@@ -1,4 +1,4 @@
-"""One cycle of the mechanism as the columns of a table, in the units of their names."""
+"""One cycle of the mechanism as table columns, in the units of their names."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Array = np.ndarray
 
 
 def plane_words(mechanism: Mechanism) -> str:
-    """Return the plane in which a mechanism moves, by its gravity."""
+    """Return the plane of motion of a mechanism as text, from its gravity."""
     x, y = mechanism.gravity
     if x == 0.0 and y == 0.0:
         return "horizontal plane (no gravity)"
@@ -46,7 +46,7 @@ def plane_words(mechanism: Mechanism) -> str:
 
 @dataclass(frozen=True, slots=True)
 class CycleTable:
-    """The columns, a remark to print, warnings, and whether the table is complete."""
+    """Columns, a remark to print, warnings, and whether the table is complete."""
 
     columns: Mapping[str, Array]
     remark: str = ""
@@ -55,25 +55,25 @@ class CycleTable:
 
 
 def joint_technique(name: str) -> Technique:
-    """Return the technique of --joint; raise UnusableInput for an unknown one."""
+    """Return the technique of --joint; raises UnusableInput for an unknown one."""
     demand(name in TECHNIQUES, "--joint", name, f"choose one of {', '.join(TECHNIQUES)}")
     return TECHNIQUES[name]
 
 
 def demand(good: bool, option: str, value: object, words: str) -> None:
-    """Raise UnusableInput unless the value of an option is good; words: what to do."""
+    """Raise UnusableInput unless the value of an option is good; words: the remedy."""
     if not good:
         shown = f"{value:g}" if isinstance(value, float) else value
         raise UnusableInput(f"{option} {shown}: {words}.")
 
 
 def check_rpm(rpm: float) -> None:
-    """Refuse a speed at which nothing turns."""
+    """Refuse a speed that is not above 0."""
     demand(math.isfinite(rpm) and rpm != 0.0, "--rpm", rpm, "give a finite speed other than 0")
 
 
 def columns_of(degrees: Array, motion: MechanismMotion, pin_radius: float) -> dict[str, Array]:
-    """Return the columns that every joint has."""
+    """Return the columns common to all joints."""
     values = (
         degrees,
         *motion.force,

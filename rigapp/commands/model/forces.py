@@ -1,4 +1,4 @@
-"""`rigapp model forces`: one cycle as a table; of separate bodies a sample, or means of many."""
+"""`rigapp model forces`: one cycle as a table; for separate bodies one sample or means of many."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ Array = np.ndarray
 class Impacting:
     """Options of separate bodies: revolutions to average, tolerance, time limit (s).
 
-    contact_law, restitution: None takes the parameter file's.
+    contact_law, restitution: None for those of the parameter file.
     """
 
     revolutions: int | None = None
@@ -57,7 +57,7 @@ class Impacting:
 
 
 def check_impacting(joint: str, options: Impacting) -> None:
-    """Refuse options that another joint has no use for, or that are out of range."""
+    """Refuse options that do not apply to the joint, or that are out of range."""
     check_contact_options(
         joint,
         {
@@ -80,7 +80,7 @@ def check_impacting(joint: str, options: Impacting) -> None:
 
 
 def check_contact_options(joint: str, options: Mapping[str, object]) -> None:
-    """Refuse options (name -> value, None where not given) that another joint has no use for."""
+    """Refuse options (name -> value, None where not given) that do not apply to the joint."""
     for name, value in options.items():
         if value is not None and joint in SOLVABLE:
             others = listed(
@@ -92,7 +92,7 @@ def check_contact_options(joint: str, options: Mapping[str, object]) -> None:
 def with_contact_law(
     parameters: Parameters, law: str | None, restitution: float | None
 ) -> Parameters:
-    """Return the parameters with a law or a restitution instead of the file's."""
+    """Return the parameters with another contact law or restitution than the file's."""
     from rigapp_model.errors import ModelError
     from rigapp_model.restitution import check_law
 
@@ -111,10 +111,10 @@ def with_contact_law(
 def impact_cycle(
     parameters: Parameters, speed: float, degrees: Array, options: Impacting
 ) -> CycleTable:
-    """Return one revolution, and with ``options.revolutions`` their means beside it.
+    """Return one revolution, and with ``options.revolutions`` also means over revolutions.
 
-    One alone is the second revolution after a start in contact. Raises the model's OutOfTime when
-    time runs out before there is one.
+    A single one is the second revolution after a start in contact. Raises the model's OutOfTime
+    when time runs out before there is one.
     """
     from rigapp_model.contact.ensemble import ensemble
     from rigapp_model.contact.impact import contact_cycle
@@ -170,7 +170,7 @@ def _sample_columns(
 
 
 def _mean_columns(many: Ensemble) -> dict[str, Array]:
-    """Return mean and standard error beside each force, the torque and the contact."""
+    """Return mean and standard error of each force, the torque and the contact."""
     means: dict[str, Mean] = {"f_N": many.force_magnitude, "torque_Nm": many.drive_torque}
     columns = {}
     for frame, mean in (
@@ -223,7 +223,7 @@ def _remark(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None)
 
 
 def _peaks(peaks: Array) -> str:
-    """Return the distribution of the greatest forces of impacts (N) in words; none of none."""
+    """Return the distribution of the peak forces of impacts (N) as text; empty without impacts."""
     if not len(peaks):
         return ""
     half, most, rare = np.quantile(peaks, (0.5, 0.9, 0.99))
@@ -240,7 +240,7 @@ def _noise_of(
     points: int,
     report: Callable[[float], None],
 ) -> float | None:
-    """Return the numerical noise of the force, N RMS; NaN, or None where time ran out."""
+    """Return the numerical noise of the force, N RMS; NaN if unknown, None if time ran out."""
     from rigapp_model.contact.impact import contact_cycle, numerical_noise
     from rigapp_model.contact_law import ContactModel
     from rigapp_model.errors import OutOfTime
@@ -248,7 +248,7 @@ def _noise_of(
     if not sample.contact_is_continuous and system.contact.tolerance <= ContactModel().tolerance:
         return float("nan")
     try:
-        # The sample of an ensemble is a later revolution than that of the finer run.
+        # The sample of an ensemble is a later revolution than the one of the finer run.
         first = contact_cycle(system, points, progress=report) if many else sample
         return numerical_noise(system, first, points, progress=report)
     except OutOfTime:
@@ -256,7 +256,7 @@ def _noise_of(
 
 
 def _noise(system: ClearanceSystem, cycle: ContactCycle, noise: float | None) -> list[str]:
-    """Return a warning about the numerical noise (N RMS, NaN: not known), where it matters."""
+    """Return a warning about the numerical noise (N RMS, NaN: not known) if it is significant."""
     from rigapp_model.contact_law import ContactModel
 
     chosen, usual = system.contact.tolerance, ContactModel().tolerance
@@ -279,7 +279,7 @@ def _noise(system: ClearanceSystem, cycle: ContactCycle, noise: float | None) ->
 
 
 def _sentences(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | None) -> list[str]:
-    """Return warnings: that a curve is one sample, and where the law does not hold."""
+    """Return warnings: a curve is only one sample, and the law is used out of its range."""
     sentences = [sentence for sentence in [system.contact.sentence()] if sentence]
     lost = many.contact_fraction.value < 1.0 if many else not cycle.contact_is_continuous
     if lost:
@@ -308,7 +308,7 @@ def _sentences(system: ClearanceSystem, cycle: ContactCycle, many: Ensemble | No
 
 
 def _backwards(name: str, column: Array) -> Array:
-    """Return a column that was sampled at falling angles in the order of rising ones."""
+    """Return a column sampled at decreasing angles in the order of increasing ones."""
     if name == "crank_angle_deg":
         return column
     if name == "slip_mm":
@@ -331,9 +331,9 @@ def write_forces(
     """Write one cycle at ``points`` equal crank angles as CSV, replacing an earlier table.
 
     joint: one of ``TECHNIQUES``; clearance_mm: radial clearance instead of the file's, where the
-    joint has one; impacting: options of separate bodies. Warnings on stderr: where continuous
-    contact does not hold, and that a curve is one sample of a chaotic motion. Returns
-    the exit status: 0, or 1 when time ran out; raises UnusableInput naming what cannot be used.
+    joint has one; impacting: options of separate bodies. Warnings on stderr: angles where
+    continuous contact does not hold, and that a curve is one sample of a chaotic motion. Return the
+    exit status: 0, or 1 when time ran out. Raises UnusableInput naming the unusable input.
     """
     from rigapp_model.errors import OutOfTime
 
@@ -389,7 +389,7 @@ def _check(
 
 
 def _with_clearance(parameters: Parameters, path: Path, clearance_mm: float | None) -> Parameters:
-    """Return the parameters with the bushing's radius set by a clearance."""
+    """Return the parameters with the bushing's radius set from a clearance."""
     if clearance_mm is None:
         return parameters
     radius = parameters.joint.pin_radius + clearance_mm * MM
@@ -402,7 +402,7 @@ def _with_clearance(parameters: Parameters, path: Path, clearance_mm: float | No
 def _cycle(
     parameters: Parameters, rpm: float, joint: str, points: int, impacting: Impacting
 ) -> CycleTable:
-    """Return the cycle by the technique chosen."""
+    """Return the cycle computed with the chosen technique."""
     speed = rpm * np.pi / 30.0
     degrees = 360.0 / points * np.arange(points)
     solve = TECHNIQUES[joint].solve

@@ -1,4 +1,4 @@
-"""`rigapp model wear`, `pressure` and `paper`: life and contact of the bushing, the comparisons."""
+"""`rigapp model wear`, `pressure` and `paper`: life and contact of the bushing, comparisons."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ SMALLEST_TOLERANCE = 1e-5
 
 @dataclass(frozen=True, slots=True)
 class Scheme:
-    """Options of the computation of a life.
+    """Options for the computation of a life.
 
-    method: implicit or explicit; extrapolation: most cycles of an explicit step, None for half the
+    method: implicit or explicit; extrapolation: largest explicit step in cycles, None for half the
     stability limit; contact: finite-element or winkler. contact_law, restitution: of separate
-    bodies, None for the parameter file's.
+    bodies, None for those of the parameter file.
     """
 
     method: str = "implicit"
@@ -64,9 +64,9 @@ def write_wear(
 
     joint: one of ``TECHNIQUES``; force_N: a constant force along the follower, positive in tension,
     instead of the mechanism's; tolerance: largest relative error of the depth at the end;
-    time_limit_s: after it what was reached is written; scheme: implicit steps and finite elements
-    if None. Warnings go to stderr. Returns the exit status: 0, or 1 when the tolerance was missed
-    or time ran out. Raises UnusableInput naming what cannot be used.
+    time_limit_s: time after which the partial result is written; scheme: implicit steps and finite
+    elements if None. Warnings go to stderr. Return the exit status: 0, or 1 when the tolerance was
+    missed or time ran out. Raises UnusableInput naming the unusable input.
     """
     from rigapp_model.errors import OutOfTime
     from rigapp_model.wear.life import life
@@ -113,9 +113,9 @@ def write_wear(
 
 
 def write_pressure(params_path: Path, force_N: float, target: Path) -> int:
-    """Write the contact pressure under one force along the follower and print the pin's place.
+    """Write the contact pressure for a force along the follower, print the pin's displacement.
 
-    Angles from -180 to 180 deg, 0 at the middle of the contact. Returns the exit status 0; raises
+    Angles from -180 to 180 deg, 0 at the middle of the contact. Return the exit status 0. Raises
     UnusableInput when the bushing cannot carry the force.
     """
     from rigapp_model.bushing.ring import pressure_distribution, ring_of
@@ -199,7 +199,7 @@ def _wear_columns(result: Life) -> dict[str, Any]:
 
 
 def _summary(target: Path, result: Life, kind: str) -> str:
-    """Return what to print about a life under a kind of load."""
+    """Return the printed summary of a life under a kind of load."""
     return (
         f"{target}: {len(result.cycles)} rows, {kind}; after {result.cycles[-1]:.0f} cycles"
         f" {result.max_depth[-1] / MM:.6g} mm deep (error at most"
@@ -209,7 +209,7 @@ def _summary(target: Path, result: Life, kind: str) -> str:
 
 
 def _steps(result: Life) -> str:
-    """Return what to print about explicit steps; nothing of implicit ones or without wear."""
+    """Return the printed text about explicit steps; empty for implicit ones or without wear."""
     if result.extrapolation is None or math.isinf(result.extrapolation.limit):
         return ""
     step, limit = result.extrapolation.step, result.extrapolation.limit
@@ -221,7 +221,7 @@ def _steps(result: Life) -> str:
 
 @contextmanager
 def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
-    """Turn the model's refusals into a sentence that names the file."""
+    """Convert errors of the model into a sentence that names the file."""
     from rigapp_model.bushing.contact import ContactError
     from rigapp_model.wear.explicit import UnstableStep
 
@@ -239,8 +239,8 @@ def _plain(params_path: Path, force_N: float | None) -> Iterator[None]:
 def write_paper(folder: Path, recorded: Path | None, time_limit_s: float | None) -> int:
     """Write the comparisons into a folder and print the files' names.
 
-    recorded: a test file for Figs 20 and 21. Returns the exit status: 0, or 1 when time ran out.
-    Raises UnusableInput naming what cannot be used.
+    recorded: a test file for Figs 20 and 21. Return the exit status: 0, or 1 when time ran out.
+    Raises UnusableInput naming the unusable input.
     """
     from rigapp.report.paper import make_paper
 

@@ -377,7 +377,7 @@ class SideColumn(QScrollArea):
             card.dress(theme)
 
     def show_news(self, news: News) -> None:
-        """Show the newest values with the limits, the recovery or, before a test, the connection."""
+        """Show newest values, and the limits, the recovery or (before a test) the connection."""
         self.live.show_news(news)
         if news.status is not None:
             self.alarms.show_alarms(news.status.alarms, recorded=news.is_replay)
