@@ -1,4 +1,4 @@
-"""The pictures of docs/calibration.md: both wizards on the simulated rig, with simulated hands."""
+"""Make the pictures of docs/calibration.md: both wizards with the simulated operator."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ WITHIN_S = 400.0
 LOAD_CELL_READINGS, PROBE_READINGS = 25, 40
 LEAST_REACH_UM = 100.0
 RESULT_HEIGHT = 420
-"""Below it there is only where the record goes on this computer."""
+"""Height of the picture; below it there are only paths of this computer."""
 
 
 class Line:
-    """Ask an engine of this process as the window's link does: a worker asks, the window hears."""
+    """Send requests to an engine of this process from a worker thread, as the window does."""
 
     def __init__(self, host: Any) -> None:
         from rigapp.viewer.tasks import TaskWorker
@@ -44,7 +44,7 @@ def _raise(error: Exception) -> None:
 
 
 def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
-    """Calibrate load cell and probes half-way and to the end; pictures go to ``images``."""
+    """Calibrate load cell and probes; write pictures half-way and at the end to ``images``."""
     from PySide6.QtWidgets import QApplication
 
     from rigapp.config.loading import read_rig
@@ -68,7 +68,7 @@ def take_calibrations(folder: Path, rig: Path, images: Path) -> None:
 
 @contextmanager
 def _opened(line: Line, folder: Path, rig: Path, application: Any, **more: Any) -> Iterator[Any]:
-    """Yield a wizard on the screen, and what waits until something is so."""
+    """Yield a visible wizard, and a function that waits for a condition."""
     from rigapp.calibrating.session import Rig
     from rigapp.gui.wizard.wizard import CalibrationWizard
     from rigapp.presentation.tokens import LIGHT

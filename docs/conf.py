@@ -1,4 +1,4 @@
-"""Settings of `make docs`: the guides as they stand here, pages of commands and docstrings."""
+"""Settings of `make docs`: the guides of this folder, pages of commands and docstrings."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ ROOT = HERE.parent
 PACKAGES = {
     "model/rigapp_model": [],
     "calibration/rigapp_calibration": [],
-    # A simulated device is spoken to by its bytes; nobody calls it.
+    # Simulated devices have no API: they are accessed through their protocols.
     "drivers/rigapp_drivers": ["drivers/rigapp_drivers/*simulat*.py"],
-    # Of the application, what flows and is stored, and the analyst's door. What rigapp.model and
-    # its like pass on has its page where it is made.
+    # Of the application: schema, stored data, and the interface for analysis. Re-exports of
+    # rigapp.model and others are documented where they are defined.
     "rigapp": [f"rigapp/{one.name}" for one in (ROOT / "rigapp").iterdir()],
 }
 SHOWN = ("schema", "analysis", "__init__.py")
@@ -42,14 +42,14 @@ MARKS = re.compile(r"``.*?``|\|")
 
 
 def escape_bars(_app: Any, _what: str, _name: str, _of: Any, _how: Any, lines: list[str]) -> None:
-    """Let the bars of a magnitude, |F|, be text: docutils takes them for a substitution."""
+    """Escape the bars of a magnitude, |F|, which docutils would take for a substitution."""
     lines[:] = [
         MARKS.sub(lambda m: r"\|" if m.group() == "|" else m.group(), line) for line in lines
     ]
 
 
 def setup(app: Any) -> None:
-    """Connect with Sphinx; write the pages of the commands and of the keys."""
+    """Register with Sphinx; write the pages of the commands and of the keys."""
     sys.path.insert(0, str(HERE))
     from reference import command_reference, key_reference
 

@@ -1,4 +1,4 @@
-"""Make all pictures of README and guides: real windows on a virtual screen, driven by real keys.
+"""Make all pictures of README and guides: real windows on a virtual screen, operated by keys.
 
 make pictures; needs Xvfb, openbox, xdotool and ImageMagick's import.
 """
@@ -32,7 +32,7 @@ TABS = {
 """Pages and their keys."""
 REVOLUTIONS = 250
 PLANNED = 20_000
-"""The test outlasts the pictures, however slow the computer is."""
+"""Planned revolutions; the test lasts longer than the pictures take on any computer."""
 
 
 def main() -> int:
@@ -83,7 +83,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 
 
 def _screen() -> tuple[subprocess.Popen[bytes], str]:
-    """Start a virtual screen on a display that nobody else has."""
+    """Start a virtual screen on an unused display."""
     read, write = os.pipe()
     screen = subprocess.Popen(
         ["Xvfb", "-displayfd", str(write), "-screen", "0", "1440x940x24", "-nolisten", "tcp"],
@@ -123,7 +123,7 @@ def _take_all() -> None:
 
 
 def _tab_bar() -> bytes:
-    """Return how the row of pages looks, to know when another one is in front."""
+    """Return a picture of the row of pages, to detect the change to another page."""
     area = ["-crop", "1000x60+0+180", "+repage", "-depth", "8", "rgb:-"]
     return subprocess.run(
         ["import", "-window", "root", *area], check=True, capture_output=True
@@ -131,7 +131,7 @@ def _tab_bar() -> bytes:
 
 
 def _viewer(identity: str) -> None:
-    """Let a colleague take command, and look at what the window says then."""
+    """Take control as another viewer, and take a picture of the window."""
     client = attach_first()
     client.request("take_command")
     time.sleep(1.5)
@@ -143,7 +143,7 @@ def _viewer(identity: str) -> None:
 
 
 def _fault(client: Any, identity: str) -> None:
-    """Let somebody press the emergency stop, and look at the way back."""
+    """Press the emergency stop, and take pictures of the recovery."""
     client.request("take_command")
     reply = client.request("inject_fault", {"kind": "emergency_stop", "device": "drive"})
     assert reply.ok, reply.sentence
@@ -158,7 +158,7 @@ def _fault(client: Any, identity: str) -> None:
 
 
 def attach_first() -> Any:
-    """Return another viewer of the engine, as a colleague's window would be."""
+    """Return a second viewer of the engine."""
     from rigapp.service.launch import attach
 
     return attach(ROOT / "examples/simulated.toml", "Ann")

@@ -1,4 +1,4 @@
-"""The pages of all commands and all keys, made from the command line and the schema."""
+"""Generate the pages of all commands and all keys from the command line and the schema."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ KEY_HEAD = ("| key | type | default | meaning |", "| --- | --- | --- | --- |")
 
 
 def _settings() -> Iterator[str]:
-    """Yield the settings of each driver, which a rig file has in [devices.NAME.settings]."""
+    """Yield the settings of each driver for [devices.NAME.settings] of a rig file."""
     for name in available_drivers():
         info = load_driver(name)
         rows = [

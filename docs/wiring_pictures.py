@@ -1,6 +1,6 @@
 """Draw the wiring of the two rigs of the first day: python docs/wiring_pictures.py.
 
-What goes where is a table; the drawing is a column of terminals a box, with a wire to each.
+The connections are a table; the drawing has a column of terminals for each box, with their wires.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from xml.sax.saxutils import escape
 IMAGES = Path(__file__).resolve().parent / "images"
 WIDTH, ROW, HEAD, GAP = 900, 26, 34, 22
 LEFT, BOX, SENSOR = 520, 300, 300
-"""Where the boxes begin, how wide they are, and how wide the parts at the left are."""
+"""Left edge and width of the boxes, and width of the parts on the left."""
 SIGNAL, POWER, STOP, LINK = "#0068A8", "#B3211C", "#B85400", "#4A535F"
-"""Wires that carry signals, the motor's power, the emergency stop, and links to the computer."""
+"""Colours of wires for signals, motor power, emergency stop, and links to the computer."""
 
 
 @dataclass(frozen=True, slots=True)
 class Terminal:
-    """One wire: the part that it comes from, its terminal at the box, and its colour."""
+    """One wire: the connected part, the terminal of the box, and the colour."""
 
     part: str
     terminal: str
@@ -90,7 +90,7 @@ DATAQ_CIA402 = (
 
 
 def pictures() -> dict[str, str]:
-    """Return the pictures by the names of their files."""
+    """Return the pictures by file name."""
     return {
         "wiring-gsv8-roboclaw.svg": drawn(GSV8_ROBOCLAW),
         "wiring-dataq-cia402.svg": drawn(DATAQ_CIA402),

@@ -1,4 +1,4 @@
-"""Folders with files to start from: written completely or not at all, nothing overwritten."""
+"""Folders with starting files: written completely or not at all, nothing overwritten."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rigapp.prepare.shipped import RIG, TEST
 from rigapp.texts import joined, say
 
 NEW_NAMES = {RIG: "rig.toml", TEST: "test.toml"}
-"""New names of the examples in a user's folder, also inside of the other files."""
+"""New names of the examples in a user's folder, also within the other files."""
 
 ABOUT = {
     "rig.toml": "the rig: the simulated one",
@@ -26,7 +26,7 @@ ABOUT = {
 
 @dataclass(frozen=True, slots=True)
 class StartingFile:
-    """One file to start from: its path below the new folder, and its text."""
+    """A starting file: its path in the new folder, and its text."""
 
     path: Path
     text: str
@@ -35,14 +35,14 @@ class StartingFile:
 def write_files(folder: Path, files: list[StartingFile]) -> None:
     """Write files into a folder, all or none.
 
-    Raises UnusableInput, and writes nothing, when one of them is there already.
+    Raises UnusableInput, and writes nothing, when one of them exists.
     """
     _refuse_existing(folder, files)
     _write(folder, files)
 
 
 def starting_files(examples: Path) -> Iterator[StartingFile]:
-    """Yield the files of a new folder, with new names in the texts too."""
+    """Yield the files of a new folder, with the new names also in the texts."""
     for source in _sources(examples):
         path = source.relative_to(examples)
         text = read_text(source)
@@ -61,7 +61,7 @@ def _sources(examples: Path) -> list[Path]:
 
 
 def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
-    """Refuse a folder that has one of the files, or whose name is that of a file."""
+    """Refuse a folder that contains one of the files, or a path that is a file."""
     for path in (folder, *(folder / name for name in ("calibration", "notebooks"))):
         if os.path.lexists(path) and not path.is_dir():
             raise UnusableInput(
@@ -81,7 +81,7 @@ def _refuse_existing(folder: Path, files: list[StartingFile]) -> None:
 
 
 def _write(folder: Path, files: list[StartingFile]) -> None:
-    """Write all files, or remove those written."""
+    """Write all files, or remove those already written."""
     with ExitStack() as undo:
         for file in files:
             target = folder / file.path
@@ -93,7 +93,7 @@ def _write(folder: Path, files: list[StartingFile]) -> None:
 
 
 def _make_folder(folder: Path, undo: ExitStack) -> None:
-    """Make a folder with its parents; on failure they are removed again, if empty."""
+    """Create a folder with its parents; on failure they are removed again, if empty."""
     missing = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,9 +1,8 @@
-"""Compile the numerical kernels once, with a line of progress each.
+"""Compile the numerical kernels once, with a line of progress for each module.
 
 Kernels have explicit signatures and a cache on disk: importing their module compiles them the first
-time and loads them afterwards. This step imports every module that has some, so that nothing is
-compiled inside a running test or on the window's thread, and removes what the cache holds of
-kernels that are no more.
+time and loads them afterwards. This step imports every module with kernels, so that nothing is
+compiled during a test or on the window's thread, and removes obsolete kernels from the cache.
 """
 
 from __future__ import annotations
@@ -20,10 +19,10 @@ from typing import Any
 
 PACKAGES = ("rigapp_model", "rigapp", "rigapp_drivers", "rigapp_calibration")
 COMPILERS = ("numba", "rigapp_model.compiled")
-"""Modules that make compiled functions; a module that imports one of them may have some."""
+"""Modules that compile functions; a module that imports one of them may have kernels."""
 
 NO_KERNELS = ("rigapp_model.compiled", "rigapp.prepare.kernels")
-"""Modules that only handle kernels of others."""
+"""Modules that only handle kernels of other modules."""
 
 WORTH_TELLING_S = 1.0  # loading from the cache takes less
 CACHED = (".nbi", ".nbc")
@@ -43,7 +42,7 @@ def kernel_modules() -> Iterator[str]:
 
 
 def may_compile(source: str) -> bool:
-    """Return whether a module's source imports a compiler, under whatever name."""
+    """Return whether a module's source imports a compiler, under any name."""
     return any(name.rpartition(".")[2] in source for name in COMPILERS) and any(
         name == compiler or name.startswith(f"{compiler}.")
         for name in _imported(ast.parse(source))
@@ -61,7 +60,7 @@ def _imported(tree: ast.Module) -> Iterator[str]:
 
 
 def kernels_of(module: ModuleType) -> list[Any]:
-    """Return the compiled functions that a module holds under any name of its own."""
+    """Return the compiled functions defined in a module."""
     from numba.core.dispatcher import Dispatcher
 
     return [
@@ -72,7 +71,7 @@ def kernels_of(module: ModuleType) -> list[Any]:
 
 
 def remove_left_over(modules: Iterable[ModuleType]) -> int:
-    """Remove the modules' cached kernels that do not exist any more; return the number of files."""
+    """Remove the modules' cached kernels that no longer exist; return the number of files."""
     from rigapp_model.compiled import cache_name
 
     kernels = [kernel for module in modules for kernel in kernels_of(module)]
@@ -92,7 +91,7 @@ def remove_left_over(modules: Iterable[ModuleType]) -> int:
 
 
 def compile_kernels() -> None:
-    """Compile every kernel that is not compiled yet, with a line of progress for each module."""
+    """Compile all kernels not yet compiled, with a line of progress for each module."""
     names = list(kernel_modules())
     terminal = sys.stdout.isatty()
     modules = []

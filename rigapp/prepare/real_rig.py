@@ -1,4 +1,4 @@
-"""The files of a rig with real devices, and a search of ports; no terminal, no window."""
+"""The files of a rig with real devices, and a search of ports, without user interface."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driv
 from rigapp_drivers.wire.ports import BY_ID, stable_name
 
 NO_PORT: Final = "/dev/serial/by-id/NOT-FOUND-YET"
-"""Written where no port is known: no device has that name, which check reports."""
+"""Placeholder for an unknown port, which ``rigapp check`` reports as missing."""
 
 _CAN_TYPE: Final = "280"
 _CAN_NETWORK: Final = re.compile(r"v?can\d+")
-"""A CAN interface of the system; any other name is that of an slcan adapter's port."""
+"""Name of a CAN interface of the system; others are ports of slcan adapters."""
 
 
 @dataclass(frozen=True, slots=True)
 class Role:
-    """The role of a device in the rig file: its kind of driver, and its name in a question."""
+    """Role of a device in the rig file: kind of driver, and name in a question."""
 
     kind: DriverKind
     words: str
@@ -64,7 +64,7 @@ WIRED: Final[Mapping[str, Mapping[str, Mapping[str, Any]]]] = {
         "load_cell": {"range_mV_per_V": 2.0},
     },
 }
-"""The entries of the rig file that a box needs beyond the common ones."""
+"""Additional entries of the rig file by driver."""
 
 NOTES: Final[Mapping[str, str]] = {
     "load_cell.matrix_N_per_mV_per_V": "These are 400 N at a rated output of 2 mV/V; calibrate.",
@@ -93,7 +93,7 @@ ABOUT_REAL: Final[Mapping[str, str]] = {
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """One device of the rig: its name there, its driver and the port, empty where none is known."""
+    """One device of the rig: its name there, driver and port, empty if unknown."""
 
     name: str
     driver: DriverInfo
@@ -102,9 +102,9 @@ class Box:
 
 @dataclass(frozen=True, slots=True)
 class FoundPort:
-    """A port of this computer: its lasting name, and the device in words.
+    """A port of this computer: its persistent name, and a description of the device.
 
-    driver: of the device that answers, empty where none does or none was probed.
+    driver: of the device that answers; empty if none does, or the port was not probed.
     """
 
     name: str
@@ -113,15 +113,15 @@ class FoundPort:
 
 
 def drivers_of(role: str) -> dict[str, DriverInfo]:
-    """Return the drivers that fit a device of the rig, by name; role: a key of ``ROLES``."""
+    """Return the drivers suitable for a role, by name; role: a key of ``ROLES``."""
     return {info.name: info for info in _drivers() if info.kind is ROLES[role].kind}
 
 
 def search_ports() -> list[FoundPort]:
-    """Return the ports with the devices that answer, these first; takes a second or two a port.
+    """Return the ports, those with answering devices first; takes a second or two for each port.
 
-    Only ports of USB devices themselves are probed: behind a UART adapter a motor controller may
-    take any byte for a speed.
+    Only ports of native USB devices are probed: a motor controller behind a UART adapter might
+    interpret any byte as a speed.
     """
     drivers = _drivers()
     result = [_looked_at(port, drivers) for port in sorted(list_ports.comports())]
@@ -163,7 +163,7 @@ def _kind_of(network: Path) -> str:
 
 
 def _drivers() -> list[DriverInfo]:
-    """Return the drivers that can be loaded; doctor reports the others."""
+    """Return the loadable drivers; ``rigapp doctor`` reports the others."""
     result = []
     for name in available_drivers():
         try:
@@ -174,7 +174,7 @@ def _drivers() -> list[DriverInfo]:
 
 
 def real_files(boxes: Sequence[Box]) -> list[StartingFile]:
-    """Return the files of a rig with these devices; they are read once to check them."""
+    """Return the files of a rig with these devices, checked by reading them."""
     examples = examples_folder()
     rig = "#:schema ./rig.schema.json\n" + commented(
         RigFile,
@@ -207,7 +207,7 @@ def real_files(boxes: Sequence[Box]) -> list[StartingFile]:
 
 
 def rig_tree(boxes: Sequence[Box], simulated: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the rig file of real devices as tables; simulated: that of the simulated rig."""
+    """Return the rig file of real devices as tables; simulated: tables of the simulated rig."""
     tree = {key: value for key, value in simulated.items() if key != "simulation"}
     tree["name"] = "Slider-crank"
     devices = {}
@@ -224,5 +224,5 @@ def rig_tree(boxes: Sequence[Box], simulated: Mapping[str, Any]) -> dict[str, An
 
 
 def lasting_name(port: str, folder: Path = BY_ID) -> str:
-    """Return the name of a port that lasts after a restart, or the port itself."""
+    """Return the persistent name of a port, or the port itself."""
     return stable_name(port, folder) or port

@@ -13,7 +13,7 @@ from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driv
 
 
 def schema_text(kind: str) -> str:
-    """Return the JSON Schema of "rig" or "test"; raise UnusableInput for another word."""
+    """Return the JSON Schema of "rig" or "test"; raises UnusableInput for another kind."""
     if kind not in KINDS:
         raise UnusableInput("{}: has no schema; say {}.", kind, joined(say(" or "), KINDS))
     settings = _settings() if kind == "rig" else {}
@@ -22,7 +22,7 @@ def schema_text(kind: str) -> str:
 
 
 def _settings() -> Mapping[str, Mapping[str, Any]]:
-    """Return the settings of each driver that can be loaded; doctor reports the others."""
+    """Return the settings of each loadable driver; ``rigapp doctor`` reports the others."""
     result = {}
     for name in available_drivers():
         try:

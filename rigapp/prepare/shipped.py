@@ -1,4 +1,4 @@
-"""The folders of examples and guides: beside the source, or of the installed package."""
+"""Folders of examples and guides: beside the source, or of the installed package."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ TEST = "quick.toml"
 GUIDE = "operator.md"
 TROUBLESHOOTING = "troubleshooting.md"
 SHARED = Path("share/rigapp")
-"""Folder of both in an installation by ``pyproject.toml``, below its prefix."""
+"""Common folder of both in an installation, relative to its prefix (see ``pyproject.toml``)."""
 
 
 def examples_folder() -> Path:
-    """Return the folder of the shipped rig, test and calibration files; raise UnusableInput."""
+    """Return the folder of the shipped rig, test and calibration files; raises UnusableInput."""
     return _shipped("examples", RIG)
 
 
 def guides_folder() -> Path:
-    """Return the folder of the guides with their pictures; raise UnusableInput."""
+    """Return the folder of the guides with their pictures; raises UnusableInput."""
     return _shipped("docs", GUIDE)
 
 
 def _shipped(folder: str, file: str) -> Path:
     """Return the folder of a shipped file."""
     source = Path(__file__).resolve().parents[2]
-    # Another package may have put a folder "examples" beside an installed rigapp.
+    # Another package may have installed a folder "examples" beside rigapp.
     if (source / "pyproject.toml").is_file() and (source / folder / file).is_file():
         return source / folder
     for path in _installed((SHARED / folder / file).as_posix()):
@@ -43,7 +43,7 @@ def _shipped(folder: str, file: str) -> Path:
 
 
 def _installed(shared: str) -> list[Path]:
-    """Return the paths of a file by the record of the installation."""
+    """Return the paths of a file from the record of the installation."""
     try:
         files = metadata.files("rigapp") or []
     except metadata.PackageNotFoundError:

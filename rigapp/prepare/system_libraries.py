@@ -1,8 +1,8 @@
-"""Install the system libraries that Qt needs, where possible; else name them.
+"""Install the system libraries that Qt needs if possible, else list them.
 
-Runs before anything is installed, so it uses the standard library alone and is called by path:
-``python rigapp/prepare/system_libraries.py [--test]``. Never fails: missing ones are named in one
-sentence, and the command line works without them.
+Runs before the installation, so it uses only the standard library and is called by path:
+``python rigapp/prepare/system_libraries.py [--test]``. Never fails: missing libraries are listed in
+one sentence, and the command line works without them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ WINDOW = {
     "libxcb-shape.so.0": "libxcb-shape0",
     "libxkbcommon-x11.so.0": "libxkbcommon-x11-0",
 }
-"""Library that Qt loads -> Debian package that brings it."""
+"""Library that Qt loads -> its Debian package."""
 
 SCREEN_TEST = {
     "Xvfb": "xvfb",
@@ -38,7 +38,7 @@ SCREEN_TEST = {
     "h5dump": "hdf5-tools",
     "chromium": "chromium",
 }
-"""Program that the tests of window, file and page call -> Debian package."""
+"""Program called by the tests of window, file and page -> its Debian package."""
 
 
 def missing_packages(for_tests: bool) -> list[str]:
@@ -60,7 +60,7 @@ def _loads(library: str) -> bool:
 
 
 def _administrator() -> list[str] | None:
-    """Return the prefix that runs a command as administrator, None when not allowed."""
+    """Return the prefix for running a command as administrator, None when not allowed."""
     if sys.platform == "win32":
         return None
     if os.geteuid() == 0:
@@ -84,7 +84,7 @@ def _install(prefix: list[str], packages: list[str]) -> bool:
 
 
 def main(arguments: list[str]) -> int:
-    """Install or name what is missing; always 0."""
+    """Install or list the missing packages; always return 0."""
     if not sys.platform.startswith("linux"):
         return 0
     packages = missing_packages(for_tests="--test" in arguments)

@@ -1,1 +1,1 @@
-"""Documents: ``page`` lays them out, ``testreport`` is that of a test, ``paper`` the figures."""
+"""Documents: ``page`` (layout), ``testreport`` (report of a test), ``paper`` (comparisons)."""

@@ -1,7 +1,7 @@
-"""Reduce test files to their results; a separate process does it for the window.
+"""Reduce test files to their results; in a separate process for the window.
 
-``python -m rigapp.report.results [--closely]`` reads paths from standard input, one a line, and
-writes a result of each to standard output as soon as it is known: four bytes of length
+``python -m rigapp.report.results [--closely]`` reads paths from standard input, one per line, and
+writes the result of each to standard output as soon as it is available: four bytes of length
 (little-endian), then MessagePack.
 """
 
@@ -39,17 +39,17 @@ from rigapp.storage import (
 from rigapp.texts import capitalised, say, sentence_of_error
 
 LINE_POINTS = 48
-"""Of the small line in a list: more than two pixels each are not visible."""
+"""Number of points of the sparkline in a list, about two pixels each."""
 
 NICENESS = 5
-"""Lists can wait; the engine and its model on the same computer cannot."""
+"""Priority below that of the engine and its model on the same computer."""
 
 
 def result_of(path: Path, *, closely: bool = False) -> TestResult:
-    """Return the result of a test; of an unreadable file the reason.
+    """Return the result of a test; for an unreadable file the reason.
 
-    closely: state the uncertainty of the force, the alarms and why there is no wear coefficient,
-    which takes several times as long as all else.
+    closely: add the uncertainty of the force, the alarms and the reason for a missing wear
+    coefficient, which takes several times as long as the rest.
     """
     modified, size = 0.0, 0
     try:
@@ -66,7 +66,7 @@ def result_of(path: Path, *, closely: bool = False) -> TestResult:
 def result_of_open(
     test: TestReader, modified: float, size: int, *, closely: bool = False
 ) -> TestResult:
-    """Return the result of an open test; raise UnusableInput where its file is damaged."""
+    """Return the result of an open test; raises UnusableInput for a damaged file."""
     known = TestResult(str(test.path), modified, test.used_bytes(size))
     result = _measured(_described(known, test), test)
     if not result.revolutions:
@@ -95,7 +95,7 @@ def _described(known: TestResult, test: TestReader) -> TestResult:
 
 
 def _recorded_reason(reason: str, planned: int, operator: str) -> str:
-    """Return why a test ended, with the structure of its sentence where that is a usual one.
+    """Return the reason of a test's end as a translatable sentence where it is a usual one.
 
     A file has only the English text; texts of the operator stay unchanged.
     """
@@ -149,9 +149,9 @@ def _compared(result: TestResult, test: TestReader) -> TestResult:
 
 
 def _unflagged(test: TestReader) -> int | None:
-    """Return how many predictions there are up to the last revolution that was measured well.
+    """Return the number of predictions up to the last revolution without quality flags.
 
-    None: up to the end. A sensor that broke in the last revolution moved no pin.
+    None: up to the end. The failure of a sensor in the last revolution is not wear.
     """
     for _, block in blocks(test, ("revolution", "quality"), backwards=True):
         good = block["quality"].astype(np.int64) & ~NOT_STEADY == 0
@@ -161,7 +161,7 @@ def _unflagged(test: TestReader) -> int | None:
 
 
 def _residual(test: TestReader) -> tuple[float, float]:
-    """Return RMS and maximum of the difference of model and steady revolutions, NaN unknown."""
+    """Return RMS and maximum of model minus measurement in steady revolutions, NaN if unknown."""
     count, total, worst = 0, 0.0, -np.inf
     for _, block in blocks(test, ("revolution", "residual_rms"), "prediction"):
         number, residual = block["revolution"], block["residual_rms"]
@@ -175,13 +175,13 @@ def _residual(test: TestReader) -> tuple[float, float]:
 
 
 def _newest(test: TestReader, *names: str, stop: int | None = None) -> float:
-    """Return the newest of the last column's predictions of which all columns are known."""
+    """Return the newest value of the last column where all columns are finite."""
     result = newest_known(test, names, 1, stop)[names[-1]]
     return float(result[-1]) if result.size else float("nan")
 
 
 def _line(test: TestReader, name: str) -> tuple[float, ...]:
-    """Return the means (um) of equal parts of a prediction, what is not known left out."""
+    """Return the means (um) of equal parts of a prediction, without unknown values."""
     rows, means = test.committed("prediction"), []
     parts = min(LINE_POINTS, max(rows, 1))
     bounds = np.linspace(0, rows, parts + 1).astype(int).tolist()
@@ -212,7 +212,7 @@ def _looked_at_closely(result: TestResult, test: TestReader) -> TestResult:
 
 
 def _alarms(events: list[Event]) -> tuple[str, ...]:
-    """Return the titles of all alarms that were raised, critical ones first."""
+    """Return the titles of all raised alarms, critical ones first."""
     changes = [(event, alarm_change(event)) for event in events]
     raised = [(event, c.title) for event, c in changes if c is not None and c.what == "raised"]
     raised.sort(key=lambda alarm: severity_of(alarm[0]) is not Severity.CRITICAL)
@@ -220,7 +220,7 @@ def _alarms(events: list[Event]) -> tuple[str, ...]:
 
 
 def _why_no_coefficient(test: TestReader) -> str:
-    """Return why ``rigapp identify`` finds no coefficient of a test, in its words."""
+    """Return the reason of ``rigapp identify`` for a missing wear coefficient."""
     from rigapp.twin.kept import NO_BIN, kept_of, life_of
     from rigapp_model.identification import NotIdentifiable
 
@@ -235,7 +235,7 @@ def _why_no_coefficient(test: TestReader) -> str:
 
 
 def sequence_of(reader: TestReader) -> Sequence | None:
-    """Return the steps of a file's test; None for a test without, or an unreadable one."""
+    """Return the steps of a file's test; None without steps or for an unreadable test."""
     try:
         test = parse_test(str(reader.configuration()["test"]), "test", recorded=True)
         return Sequence(test.run) if test.run.step else None
@@ -252,7 +252,7 @@ def step_numbers(sequence: Sequence, revolutions: NDArray[np.int64]) -> NDArray[
 
 
 def main(arguments: list[str]) -> int:
-    """Answer the paths of standard input; return the exit status."""
+    """Process the paths from standard input; return the exit status."""
     lower_priority(NICENESS)
     try:
         for line in sys.stdin.buffer.read().splitlines():
@@ -260,7 +260,7 @@ def main(arguments: list[str]) -> int:
             data = encode(result_of(path, closely="--closely" in arguments))
             write_frame(sys.stdout.buffer, data)
     except BrokenPipeError:
-        # The reader has ended: the flush at the end would fail again.
+        # The pipe is closed: the flush at the exit would fail again.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0
 

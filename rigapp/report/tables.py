@@ -1,4 +1,4 @@
-"""Tables of the model's verbs: numbers as CSV, complete or not written."""
+"""Tables of the model's verbs as CSV, written completely or not at all."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp.config.writing import whole_file
 
 
 def check_target(option: str, target: Path, source: Path | None = None) -> None:
-    """Refuse a target that is no CSV file in a folder, or that is the file read from."""
+    """Refuse a target that is not a CSV file in an existing folder, or is the source."""
     if target.suffix.lower() != ".csv":
         raise UnusableInput("{} {}: give a name that ends with .csv.", option, target)
     if target.is_dir() or not target.absolute().parent.is_dir():
@@ -25,7 +25,7 @@ def check_target(option: str, target: Path, source: Path | None = None) -> None:
 
 
 def write_table(option: str, target: Path, columns: Mapping[str, Any]) -> None:
-    """Write columns as CSV; an earlier table is replaced when all is written."""
+    """Write columns as CSV; an earlier table is replaced when the new one is complete."""
     table = np.column_stack([np.asarray(column, dtype=np.float64) for column in columns.values()])
     with (
         whole_file(target, f"{option} {target}") as part,

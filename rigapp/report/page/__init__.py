@@ -1,1 +1,1 @@
-"""Documents in plain blocks, and their layout as HTML or PDF."""
+"""Documents as plain blocks, and their layout as HTML or PDF."""

@@ -1,4 +1,4 @@
-"""The parts of a document, and the document as HTML and as plain values."""
+"""Parts of a document, and conversion of the document to HTML and plain values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ JPEG = b"\xff\xd8\xff"
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A paragraph; ``strong`` for what must not be overlooked."""
+    """A paragraph; ``strong`` for important ones."""
 
     text: str
     strong: bool = False
@@ -25,7 +25,7 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table; without a header its first column names the values beside it."""
+    """A table; without a header its first column has the names of the values beside it."""
 
     title: str
     rows: tuple[Row, ...]
@@ -34,9 +34,9 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """A drawing, with a description for those who cannot see it.
+    """A drawing, with a text alternative.
 
-    draw: returns it as "svg", "pdf" or "png", the same bytes each time, in its own width or a given
+    draw: returns it as "svg", "pdf" or "png" with reproducible bytes, in its own width or a given
     one in mm. "svg with text" has letters instead of their outlines: the reader needs the font.
     """
 
@@ -48,7 +48,7 @@ class Figure:
 
 @dataclass(frozen=True, slots=True)
 class Listing:
-    """A text shown as it is, line by line."""
+    """A text shown unchanged, line by line."""
 
     title: str
     text: str
@@ -59,7 +59,7 @@ Block = Text | Table | Figure | Listing
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A part of a document; without a title its blocks follow the heading of the document."""
+    """A section of a document; without a title its blocks follow the document's heading."""
 
     title: str
     blocks: tuple[Block, ...]
@@ -69,10 +69,10 @@ class Section:
 class Cover:
     """The first page of a document: results, their subject and customer.
 
-    letterhead: lines of the laboratory, the first one strong. logo: PNG or JPEG, empty without.
-    facts: names and values. results: name, value and a remark. warnings: what must not be
-    overlooked. note: small print below the results. figures: of the whole test, the first one as
-    wide as the page; the second beside texts, each of a word in bold and its text.
+    letterhead: lines of the laboratory, the first one strong. logo: PNG or JPEG, empty without one.
+    facts: names and values. results: name, value and a remark. warnings: important remarks. note:
+    small print below the results. figures: of the whole test, the first one in the width of the
+    page, the second beside the texts, each of them with a bold heading.
     """
 
     subtitle: str
@@ -88,9 +88,9 @@ class Cover:
 
 @dataclass(frozen=True, slots=True)
 class Manuscript:
-    """A document. footer: at the foot of every page. closing: small print at the end.
+    """A document. footer: of every page. closing: small print at the end.
 
-    mark: on every page, as that it is a draft. statement: beside the footer. made_at: date of the
+    mark: on every page, such as that of a draft. statement: beside the footer. made_at: date of the
     document, seconds since 1970; 0: none.
     """
 
@@ -119,7 +119,7 @@ class Manuscript:
 
 
 def is_number(text: str) -> bool:
-    """Return whether a cell holds a number, perhaps with a unit or thin spaces, or its absence."""
+    """Return whether a cell holds a number, optionally with unit and thin spaces, or a dash."""
     bare = text.replace("\u202f", "").strip()
     if bare in ("", "–", tr("unknown"), tr("none")):
         return True
@@ -131,7 +131,7 @@ def is_number(text: str) -> bool:
 
 
 def numeric_columns(table: Table) -> frozenset[int]:
-    """Return the places of the columns of a table with a header that hold numbers only."""
+    """Return the indices of the purely numeric columns of a table with a header."""
     if not table.header or not table.rows:
         return frozenset()
     return frozenset(
@@ -183,7 +183,7 @@ def _data(figure: Figure) -> str:
 
 
 def plain(document: Manuscript) -> dict[str, Any]:
-    """Return title, sections and blocks of a document; cells are the printed texts."""
+    """Return title, sections and blocks of a document as plain values; cells as printed."""
     sections = [
         {"title": section.title, "blocks": [_plain_block(block) for block in section.blocks]}
         for section in document.sections

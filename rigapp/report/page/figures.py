@@ -1,4 +1,4 @@
-"""Figures of documents: one style, names at the curves, drawn as lines and not as pixels."""
+"""Figures of documents: common style, names at the curves, vector graphics."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from rigapp.presentation.translation import tr
 from rigapp.report.page.document import Figure
 
 WIDTH_IN = 178.0 / 25.4
-"""Two columns of a journal, 178 mm; one is 86 mm."""
-DPI = 200  # of a printed page at arm's length
+"""Width of two columns of a journal, 178 mm; one is 86 mm."""
+DPI = 200  # of a printed page at reading distance
 TITLE_IN, AXIS_IN = 0.25, 0.42
 LEFT_IN, NAMES_IN = 0.72, 1.1
-"""Room for numbers and caption of the vertical axis, and for the names of the curves."""
+"""Margins for numbers and caption of the vertical axis, and for the names of the curves."""
 
 INK, MUTED = LIGHT.text, LIGHT.muted
 FIRST, SECOND, MODEL, OTHER = (LIGHT.curves[name] for name in ("first", "second", "model", "other"))
@@ -46,23 +46,23 @@ STYLE: dict[Any, Any] = {
     "xtick.labelsize": 7.5,
     "ytick.labelsize": 7.5,
     "svg.hashsalt": "rigapp",
-    "pdf.fonttype": 42,  # fonts as they are, so that text can be read and searched
+    "pdf.fonttype": 42,  # embed TrueType fonts, so that text can be copied and searched
     "path.simplify": True,
 }
 NAME_PT = 7.5
-"""Of the names at the curves; lines of them are a quarter further apart."""
+"""Font size of the names at the curves; their line spacing is a quarter larger."""
 
 _METADATA: Mapping[str, dict[str, None]] = {
     "svg": {"Date": None, "Creator": None},
     "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
     "png": {"Software": None},
 }
-"""Format -> what matplotlib would add by the clock and its version."""
+"""Format -> metadata with date and version that matplotlib would otherwise add."""
 
 
 @contextmanager
 def in_style() -> Iterator[None]:
-    """Use matplotlib with the style of documents, without the user's settings."""
+    """Apply the style of documents to matplotlib, without the user's settings."""
     import matplotlib
 
     with matplotlib.rc_context():
@@ -73,7 +73,7 @@ def in_style() -> Iterator[None]:
 
 @contextmanager
 def canvas_of(height_in: float, width_in: float = WIDTH_IN) -> Iterator[Any]:
-    """Yield a matplotlib figure in the style of documents; its margins are the same in all."""
+    """Yield a matplotlib figure in the style of documents, with common margins."""
     from matplotlib.figure import Figure as Canvas
 
     with in_style():
@@ -88,12 +88,12 @@ def canvas_of(height_in: float, width_in: float = WIDTH_IN) -> Iterator[Any]:
 
 
 def saved(canvas: Any, title: str, words: str, caption: str = "") -> Figure:
-    """Return a drawn canvas as a figure of a document."""
+    """Convert a drawn canvas into a figure of a document."""
     return Figure(title, partial(_rendered, canvas), words, caption)
 
 
 def _rendered(canvas: Any, kind: str, width_mm: float | None = None) -> bytes:
-    """Return a canvas as ``Figure.draw`` says, the same bytes each time; None: its own width."""
+    """Return a canvas in a format of ``Figure.draw``; None: its own width."""
     stream = io.BytesIO()
     kind, _, text = kind.partition(" with ")
     with in_style():
@@ -105,7 +105,7 @@ def _rendered(canvas: Any, kind: str, width_mm: float | None = None) -> bytes:
             width_in, margins = width_mm / 25.4, canvas.subplotpars
             before = canvas.get_figwidth()
             canvas.set_figwidth(width_in)
-            # The room for numbers and names stays as wide as they are.
+            # The margins for numbers and names keep their widths.
             canvas.subplots_adjust(
                 left=margins.left * before / width_in,
                 right=1.0 - (1.0 - margins.right) * before / width_in,
@@ -125,7 +125,7 @@ def revolution_axis(axes: Any) -> None:
 
 
 def name_curves(axes: Any) -> None:
-    """Write the name of each labelled curve at its right end, in its colour, none over another.
+    """Write the name of each labelled curve at its right end, in its colour, without overlap.
 
     To be called when the limits of the axes are final.
     """
@@ -152,7 +152,7 @@ def _share(value: float, low: float, high: float, log: bool) -> float:
 
 
 def _parts(handle: Any) -> Any:
-    """Return what draws a curve: of points with error bars, the points."""
+    """Return the artist of a curve; for points with error bars, that of the points."""
     return handle[0] if isinstance(handle, tuple) else handle
 
 
@@ -180,9 +180,9 @@ def _colour_of(handle: Any) -> Any:
 
 
 def _apart(wanted: Sequence[float], heights: Sequence[float]) -> list[float]:
-    """Return places near the wanted ones, each far enough above the one below it.
+    """Return positions near the wanted ones without overlap.
 
-    First each is pushed up by the one below it; then what has left the axes pushes the others down.
+    First each is moved up by the one below it; then those beyond the axes move the others down.
     """
     places = [0.0 if math.isnan(height) else height for height in wanted]
     order = sorted(range(len(places)), key=lambda index: places[index])

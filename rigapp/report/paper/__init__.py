@@ -1,4 +1,4 @@
-"""The paper's comparisons again, as plots and tables: Figs 6 to 10, 13, 15, 20, 21 and Table 2."""
+"""Reproduce the paper's comparisons as plots and tables: Figs 6-10, 13, 15, 20, 21, Table 2."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Part = Callable[[Tell], "Iterable[Chapter]"]
 
 @dataclass(frozen=True, slots=True)
 class Made:
-    """The files that were written, and whether all comparisons are among them."""
+    """The written files, and whether all comparisons are complete."""
 
     files: tuple[Path, ...]
     complete: bool
@@ -37,13 +37,13 @@ class Made:
 def make_paper(
     folder: Path, recorded: Path | None = None, progress: Tell = lambda part: None
 ) -> Made:
-    """Write the comparisons into a folder, made if it is not there; return what was written.
+    """Write the comparisons into a folder, created if missing; return the written files.
 
-    One CSV table and one PNG picture a comparison, and index.html and index.md that say in plain
-    sentences what they show and where every parameter comes from; files of these names are
-    replaced. recorded: a test file for Figs 20 and 21; progress: called with the part done. When it
-    raises the model's OutOfTime the pages hold what was reached. Raises UnusableInput when the
-    folder cannot be written or the test file not be read.
+    One CSV table and one PNG picture for each comparison, and index.html and index.md with
+    descriptions and the source of every parameter; files of these names are replaced. recorded: a
+    test file for Figs 20 and 21; progress: called with the completed share. When it raises the
+    model's OutOfTime the pages contain the comparisons so far. Raises UnusableInput when the folder
+    cannot be written or the test file cannot be read.
     """
     from rigapp.report.paper.pages import provenance, write_chapter, write_pages
     from rigapp_model.errors import OutOfTime

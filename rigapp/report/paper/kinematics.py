@@ -13,7 +13,7 @@ from rigapp.report.paper.pages import Chapter, largest_difference
 if TYPE_CHECKING:
     from rigapp_model.parameters import Mechanism, Parameters
 
-POINTS = 360  # one a degree
+POINTS = 360  # one per degree
 GAPS_MM = (0.0, 0.1, 0.25, 0.5, 1.0)
 MM = 1e-3
 COLOURS = ("#000000", "#0072B2", "#009E73", "#E69F00", "#D55E00", "#CC79A7")
@@ -27,7 +27,7 @@ def angles() -> np.ndarray:
 
 
 def same_without_clearance(parameters: Parameters, speed: float) -> list[Chapter]:
-    """Return Figs 6 to 9: with R1 = R2 the imperfect joint's equations give the perfect joint."""
+    """Return Figs 6 to 9: for R1 = R2 the imperfect joint's equations give the perfect joint."""
     from rigapp_model.constraints import PHI2, X1, X2, X3, solve_imperfect, solve_perfect
 
     radius = parameters.joint.pin_radius
@@ -81,7 +81,7 @@ def same_without_clearance(parameters: Parameters, speed: float) -> list[Chapter
 
 
 def _both(panel: Any, degrees: np.ndarray, perfect: np.ndarray, other: np.ndarray) -> None:
-    """Draw what both models give: a line, and points on it."""
+    """Draw the results of both models: a line, and points on it."""
     panel.plot(degrees, perfect, color=COLOURS[0], label="perfect, Eq. 4")
     points = {"ms": 3, "color": COLOURS[4], "label": "imperfect, Eq. 12"}
     panel.plot(degrees[::12], other[::12], "o", **points)
@@ -120,7 +120,7 @@ def _reaction(degrees: np.ndarray, perfect: np.ndarray, imperfect: np.ndarray) -
 
 
 def arrangements(mechanism: Mechanism) -> dict[str, Mechanism]:
-    """Return the three places of the spring: outboard as given, none, and inboard."""
+    """Return the mechanism with three arrangements of the spring: outboard, none, inboard."""
     from rigapp_model.parameters import Spring
 
     assert mechanism.spring is not None
@@ -136,7 +136,7 @@ def arrangements(mechanism: Mechanism) -> dict[str, Mechanism]:
 
 
 def force_over_gap(parameters: Parameters, speed: float) -> Chapter:
-    """Return Fig. 10: the joint force as the gap grows, and how the spring decides its sign."""
+    """Return Fig. 10: the joint force with increasing gap, and its sign with and without spring."""
     degrees = np.degrees(angles())
     columns = {"crank_angle_deg": degrees}
     change: dict[str, list[float]] = {}

@@ -1,4 +1,4 @@
-"""One comparison with the paper, and the pages that show all of them."""
+"""A comparison with the paper, and the pages with all comparisons."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from rigapp.report.tables import write_table
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """A comparison. ``name`` names its files; ``columns`` are the CSV table's.
+    """A comparison. name: stem of its files; columns: of the CSV table.
 
-    ``draw`` draws on matplotlib axes, as many as ``panels``; ``words`` say what the picture shows
-    to who cannot see it; ``table`` is a small one for the page, with its header first.
+    draw: draws on matplotlib axes, ``panels`` of them; words: text alternative of the picture;
+    table: a small one for the page, with its header first.
     """
 
     name: str
@@ -36,7 +36,7 @@ class Chapter:
 
 
 def largest_difference(a: np.ndarray, b: np.ndarray) -> float:
-    """Return the largest difference of two curves as a part of the first one's size."""
+    """Return the largest difference of two curves relative to the first one's magnitude."""
     return float(np.abs(a - b).max() / max(np.abs(a).max(), 1e-300))
 
 
@@ -51,7 +51,7 @@ _ENTRY = re.compile(r"^(\w+)\s*=\s*(.+?)\s+#\s*(.+)$")
 
 
 def write_chapter(folder: Path, chapter: Chapter) -> tuple[list[Path], Section]:
-    """Write a chapter's table and picture; return their paths and its part of the page."""
+    """Write a chapter's table and picture; return their paths and its section of the page."""
     table = folder / f"{chapter.name}.csv"
     write_table("--to", table, chapter.columns)
     figure = picture(chapter)
@@ -68,12 +68,12 @@ def write_chapter(folder: Path, chapter: Chapter) -> tuple[list[Path], Section]:
 
 
 def size_in(panels: int) -> tuple[float, float]:
-    """Return width and height of a picture of so many panels, inches."""
+    """Return width and height of a picture with a number of panels, inches."""
     return 7.2, 1.0 + 1.9 * panels
 
 
 def picture(chapter: Chapter) -> Figure:
-    """Draw a chapter."""
+    """Return the figure of a chapter."""
     from matplotlib.figure import Figure as Canvas
 
     with in_style():
@@ -84,7 +84,7 @@ def picture(chapter: Chapter) -> Figure:
 
 
 def provenance(path: Path) -> Section:
-    """Return a parameter file as a table: every value with where it comes from."""
+    """Return a parameter file as a table: every value with its source."""
     table, rows = "", []
     first, *lines = path.read_text(encoding="utf-8").splitlines()
     for line in lines:
@@ -98,7 +98,7 @@ def provenance(path: Path) -> Section:
 
 
 def write_pages(folder: Path, sections: Sequence[Section]) -> list[Path]:
-    """Write the page as HTML and as Markdown, with the same words."""
+    """Write the page as HTML and as Markdown, with the same text."""
     document = Manuscript(
         title=TITLE,
         footer=TITLE,
@@ -134,6 +134,6 @@ def _block(block: Block) -> str:
 
 
 def save(path: Path, content: bytes) -> None:
-    """Write a file; raise UnusableInput when that cannot be done."""
+    """Write a file; raises UnusableInput on failure."""
     with whole_file(path, f"--to {path}") as part:
         part.write_bytes(content)

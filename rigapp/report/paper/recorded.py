@@ -1,4 +1,4 @@
-"""The paper's Figs 20 and 21 from a recorded test: forces and worn profile beside the model's."""
+"""The paper's Figs 20 and 21 from a recorded test: measured and modelled forces and profile."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from rigapp.storage import TestReader, open_test
 COMPONENTS = {"force_1": "component 1", "force_2": "component 2", "force": "magnitude"}
 EXTREMA = ("max", "rms", "min")
 MOST_ROWS = 2000
-"""Rows of the table of extrema; more revolutions are gathered, each peak kept."""
+"""Maximum number of rows of the table of extrema; more revolutions are grouped, peaks kept."""
 
 
 def recorded_chapters(path: Path) -> Iterator[Chapter]:
-    """Yield those of Figs 20 and 21 that a test file allows; raise UnusableInput when none."""
+    """Yield those of Figs 20 and 21 possible for a test file; raises UnusableInput without any."""
     with open_test(path) as reader:
         drawn = [draw(reader) for draw in (force_of_a_cycle, extrema, profile)]
     chapters = [chapter for chapter in drawn if chapter is not None]
@@ -33,7 +33,7 @@ def recorded_chapters(path: Path) -> Iterator[Chapter]:
 
 
 def force_of_a_cycle(reader: TestReader) -> Chapter | None:
-    """Return Fig. 20 by the paper's text, components and |F| over the crank angle; None without."""
+    """Return Fig. 20 as in the paper's text: components and |F| over the crank angle, or None."""
     pictures = [
         cycle for cycle in cycles_of(reader) if cycle.model and set(COMPONENTS) <= set(cycle.model)
     ]
@@ -76,7 +76,7 @@ def _on(degrees: np.ndarray, angle: np.ndarray, values: np.ndarray) -> np.ndarra
 
 
 def _agreement(picture: CyclePicture) -> str:
-    """Return how far the model is off, and the shift along the angle that fits best."""
+    """Return the deviation of the model, and the shift along the angle that fits best, as text."""
     degrees = np.arange(0.0, 360.0, 0.1)
     parts, shifts = [], []
     for name, words in COMPONENTS.items():
@@ -96,7 +96,7 @@ def _agreement(picture: CyclePicture) -> str:
 
 
 def extrema(reader: TestReader) -> Chapter | None:
-    """Return Fig. 20 by its caption, extrema of the force over the cycles; None without."""
+    """Return Fig. 20 as in its caption: extrema of the force over the cycles, or None."""
     known = reader.column_units()
     count = reader.committed()
     names = [f"force_{statistic}" for statistic in EXTREMA if f"force_{statistic}" in known]
@@ -128,7 +128,7 @@ def extrema(reader: TestReader) -> Chapter | None:
 
 
 def _gathered(name: str, values: np.ndarray, starts: np.ndarray) -> np.ndarray:
-    """Return a statistic of parts of a test from that of their revolutions."""
+    """Return a statistic of groups of revolutions from that of the revolutions."""
     if name.endswith("max"):
         return np.fmax.reduceat(values, starts)
     if name.endswith("min"):
@@ -140,7 +140,7 @@ def _gathered(name: str, values: np.ndarray, starts: np.ndarray) -> np.ndarray:
 
 
 def _scatter(largest: np.ndarray) -> str:
-    """Return how the maximum varies early and late in the test, where the speed was steady."""
+    """Return the scatter of the maximum early and late in the test, at steady speed, as text."""
     known = largest[np.isfinite(largest)]
     tenth = max(len(known) // 10, 2)
     if len(known) < 2 * tenth:
@@ -153,7 +153,7 @@ def _scatter(largest: np.ndarray) -> str:
 
 
 def profile(reader: TestReader) -> Chapter | None:
-    """Return Fig. 21, the worn profile by the probes beside the model's; None without."""
+    """Return Fig. 21, the worn profile from the probes and from the model, or None."""
     result = worn_of(reader)
     if result is None:
         return None

@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 
 
 CYCLES = 21_377  # of the paper's test
-TOLERANCE = 1e-3  # far below what paper and test differ by
+TOLERANCE = 1e-3  # far below the difference of paper and test
 AREA_MM2, SIMULATED_MASS_G, SIMULATED_DEPTH_MM = 5.5175, 0.1589, 0.4524
 MEASURED_MASS_G, MEASURED_DEPTH_MM = 0.1714, 0.4850
 CLEARANCES_MM = np.linspace(0.2, 1.2, 51)
 
 
 def table_2(simulation: Parameters, experiment: Parameters, speed: float, tell: Tell) -> Chapter:
-    """Return Table 2 beside two lives, and the map of clearance and K F that fit."""
+    """Return Table 2 with two computed lives, and the map of fitting clearance and K F."""
     lives = [
         whole_life(p, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=tell)
         for p in (simulation, experiment)
@@ -63,10 +63,10 @@ def table_2(simulation: Parameters, experiment: Parameters, speed: float, tell: 
 
 
 def fitting_map(parameters: Parameters, area_mm2: float, measured_mm2: float) -> dict[str, Any]:
-    """Return, for each clearance, the K F (mm^3/m) that gives a depth, and that gives an area.
+    """Return, for each clearance, the K F (mm^3/m) for the depth, and that for the area.
 
-    For the paper's simulation and for its experiment. The pin is taken not to indent, which at
-    this wear is right to 0.1 %: only clearance and effort K F s N then decide.
+    For the paper's simulation and for its experiment. The indentation of the pin is neglected, with
+    an error of 0.1 % at this wear: the result then depends only on clearance and effort K F s N.
     """
     from rigapp_model.wear.archard import rigid_course
 
@@ -90,7 +90,7 @@ def fitting_map(parameters: Parameters, area_mm2: float, measured_mm2: float) ->
 
 
 def crossing(columns: dict[str, Any], name: str) -> tuple[float, float]:
-    """Return clearance (mm) and K F (mm^3/m) at which depth and area both fit."""
+    """Return clearance (mm) and K F (mm^3/m) for which both depth and area fit."""
     area = columns[f"kf_for_area_{name}_mm3_per_m"]
     clearance = columns["clearance_mm"]
     above = columns[f"kf_for_depth_{name}_mm3_per_m"] - area
@@ -122,7 +122,7 @@ def _draw(axes: Sequence[Any], columns: dict[str, Any], fits: list[tuple[float, 
 def _rows(
     lives: Sequence[Life], sets: Sequence[Parameters], measured_area: float
 ) -> list[tuple[str, ...]]:
-    """Return the small table: the paper's numbers and those of the two lives."""
+    """Return the table of the paper's numbers and those of the two lives."""
     whose = ("simulation", "experiment")
     head = (part for who in whose for part in (f"paper, {who}", f"this program, set for the {who}"))
     rows = [("", *head)]
@@ -143,7 +143,7 @@ def _rows(
 
 
 def _found(life: Life, parameters: Parameters) -> tuple[str, ...]:
-    """Return what a life gives for each line of the table."""
+    """Return the values of a life for each line of the table."""
     return (
         f"{1e6 * life.worn_area[-1]:.4f}",
         f"{1e3 * life.worn_mass[-1]:.4f}",
@@ -160,7 +160,7 @@ STANDARD_GRAVITY = 9.80665
 
 
 def in_vertical_plane(parameters: Parameters) -> Parameters:
-    """Return parameters with gravity across the slider's way."""
+    """Return parameters with gravity perpendicular to the slider's path."""
     mechanism = replace(parameters.mechanism, gravity=(0.0, -STANDARD_GRAVITY))
     return replace(parameters, mechanism=mechanism)
 
@@ -168,9 +168,9 @@ def in_vertical_plane(parameters: Parameters) -> Parameters:
 def worn_profiles(
     simulation: Parameters, experiment: Parameters, speed: float, tell: Tell
 ) -> Chapter:
-    """Return Fig. 21 by the sets that fit the paper's simulation and its experiment.
+    """Return Fig. 21 for the parameter sets that fit the paper's simulation and experiment.
 
-    In the horizontal plane that the sets assume, and in a vertical one with the slider's way level.
+    In the horizontal plane assumed by the sets, and in a vertical one with a level slider's path.
     """
     degrees = np.arange(-180.0, 180.0 + STEP_DEG, STEP_DEG)
     columns = {"angle_deg": degrees}

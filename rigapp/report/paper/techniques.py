@@ -1,4 +1,4 @@
-"""The paper's three techniques side by side: joint forces and wear depths of the same mechanism."""
+"""Compare the paper's three techniques: joint forces and wear depths of the same mechanism."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rigapp_model.contact.impact_system import ClearanceSystem
     from rigapp_model.parameters import Parameters
 
-TOLERANCE = 3e-3  # a line's width of the figure
+TOLERANCE = 3e-3  # line width of the figure
 REVOLUTIONS = 40
 NAMES = {
     "perfect": "1, perfect joint",
@@ -29,7 +29,7 @@ SHADES = (COLOURS[0], COLOURS[1], COLOURS[4])
 
 
 def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
-    """Return the joint force by the three techniques, with the spring and without."""
+    """Return the joint force of the three techniques, with and without the spring."""
     from rigapp_model.contact.ensemble import ensemble
     from rigapp_model.contact.impact import contact_cycle
     from rigapp_model.joints import continuous_contact, perfect_joint
@@ -127,7 +127,7 @@ def _draw_forces(axes: Sequence[Any], columns: dict[str, np.ndarray]) -> None:
 
 
 def wear(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
-    """Return the depth over the cycles by the three techniques."""
+    """Return the depth over the cycles of the three techniques."""
     lives = {
         kind: whole_life(parameters, speed, CYCLES, kind, tolerance=TOLERANCE, progress=tell)
         for kind in NAMES

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from rigapp_model.wear.life import Life
 
 Tell = Callable[[float], None]
-CYCLES = 23_000  # as far as the paper's Figs 13 and 15 go
-TOLERANCE = 1e-3  # a line's width of the figures
-# Straight lines between them are nearer the course than a line's width: between 1, 3, 10, ...
-# they are off by more than the differences that the figure shows.
-ROWS = CYCLES * (np.arange(1.0, 40.0) / 40.0) ** 2  # evenly in the root, as depth begins to grow
-# The same again, coarser: what differs is what a difference of two lives is known to.
+CYCLES = 23_000  # range of the paper's Figs 13 and 15
+TOLERANCE = 1e-3  # line width of the figures
+# Straight lines between them deviate from the curve by less than a line width; between 1, 3, 10,
+# ... they would deviate by more than the differences in the figure.
+ROWS = CYCLES * (np.arange(1.0, 40.0) / 40.0) ** 2  # even in the root, like the initial depth
+# Repeated with a coarser tolerance: the change is the error of a difference of two lives.
 COARSER = 3e-3
 KINDS = {
     "perfect": ("perfect", "no clearance"),
@@ -31,7 +31,7 @@ KINDS = {
 
 
 def whole_life(parameters: Parameters, speed: float, cycles: int, kind: str, **more: Any) -> Life:
-    """Return a life; raise OutOfTime when its ``progress`` did, before the end."""
+    """Return a complete life; raises OutOfTime when its ``progress`` raised it before the end."""
     from rigapp_model.errors import OutOfTime
     from rigapp_model.wear.life import life
 
@@ -44,7 +44,7 @@ def whole_life(parameters: Parameters, speed: float, cycles: int, kind: str, **m
 def constant_and_evolving(
     parameters: Parameters, speed: float, name: str, bushing: str, tell: Tell
 ) -> Chapter:
-    """Return Fig. 15 for a bushing: depth over cycles by three kinematics, and two differences."""
+    """Return Fig. 15 for a bushing: depth over cycles of three kinematics, and two differences."""
     fine, coarse = (_lives(parameters, speed, error, tell) for error in (TOLERANCE, COARSER))
     cycles, depth, _ = shared(fine)
     effects = {
@@ -114,7 +114,7 @@ def _lives(parameters: Parameters, speed: float, tolerance: float, tell: Tell) -
 
 
 def shared(lives: dict[str, Life]) -> tuple[np.ndarray, dict[str, Any], dict[str, Any]]:
-    """Return the cycles that all lives have, and by life their depths and errors there, mm."""
+    """Return the cycles common to all lives, and the depths and errors of each life there, mm."""
     cycles = functools.reduce(np.intersect1d, (life.cycles for life in lives.values()))
     at = {kind: np.searchsorted(life.cycles, cycles) for kind, life in lives.items()}
     depths = {kind: life.max_depth[at[kind]] / MM for kind, life in lives.items()}
@@ -168,9 +168,9 @@ def _sentences(
 
 
 def _course(difference: np.ndarray) -> str:
-    """Return in words how the difference goes on with the cycles."""
+    """Return a description of the difference over the cycles."""
     size = np.abs(difference)
-    # Early on the difference is lost in the digits of the depth.
+    # Early differences are below the resolution of the depth.
     shown = size > 1e-3 * size.max()
     if np.all(np.diff(size[shown]) >= 0.0):
         return "grows with the cycles, as the paper says"

@@ -1,4 +1,4 @@
-"""The report of a test: facts of its file, their words and pictures, one section each."""
+"""The report of a test: facts of its file, with texts and figures in sections."""
 
 from __future__ import annotations
 

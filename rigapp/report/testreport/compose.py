@@ -1,7 +1,7 @@
-"""The report of a test: everything in its file, in one document.
+"""The report of a test: the contents of its file in one document.
 
-Nothing comes from the clock or the machine, so that the same file gives the same bytes. Sections
-about data are in ``datasections``, those about what happened in ``logsections``.
+Nothing depends on the time or the machine, so that the same file gives the same bytes. Sections
+about data are in ``datasections``, those about events in ``logsections``.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ LEADS: dict[str, Text] = {
 
 @dataclass(frozen=True, slots=True)
 class FileIdentity:
-    """The file itself. digest: SHA-256 in hexadecimal, empty for a file that still changes."""
+    """Identity of the file. digest: hexadecimal SHA-256, empty for a file that still changes."""
 
     name: str
     octets: int
@@ -85,8 +85,8 @@ class FileIdentity:
 def report_of(path: Path, settings: Path | None = None) -> Manuscript:
     """Compose the report of a test file. settings: a report.toml, else see ``report_settings``.
 
-    A file that is replaced meanwhile by its compressed form is read again. Raises UnusableInput for
-    a file that cannot be read as a test.
+    A file that is replaced by its compressed form meanwhile is read again. Raises UnusableInput for
+    a file that is not a readable test.
     """
     own = report_settings(path, settings)
     while True:
@@ -168,9 +168,9 @@ def _closing(identity: FileIdentity, about: dict[str, Any]) -> str:
 
 
 def _simulated(reader: TestReader, about: dict[str, Any]) -> str:
-    """Return what was simulated, as the beginning of a sentence; empty for a real rig.
+    """Return what was simulated, as the start of a sentence; empty for a real rig.
 
-    By the ports in the recorded rig file, or the file's own flag where they cannot be read.
+    From the ports in the recorded rig file, or from the file's flag where they are unreadable.
     """
     try:
         rig = parse_rig(reader.configuration()["rig"], "the rig of the file", recorded=True)
@@ -216,7 +216,7 @@ def _summary(
 
 
 def _known(reader: TestReader) -> Section:
-    # Twin and compiler, which a report without a prediction does without.
+    # Imports twin and compiler, which a report without prediction does not need.
     from rigapp.report.testreport.identified import identified
     from rigapp.report.testreport.identifiedsections import known_section
 
@@ -224,7 +224,7 @@ def _known(reader: TestReader) -> Section:
 
 
 def _warnings(summary: dict[str, Any], simulated: str) -> list[str]:
-    """Return what must not be overlooked."""
+    """Return the warnings of the report."""
     result = [tr("{} simulated: these are not measurements.", simulated)] if simulated else []
     status = summary["status"]
     if status != "complete":
@@ -236,7 +236,7 @@ def _warnings(summary: dict[str, Any], simulated: str) -> list[str]:
 
 
 def _moment(text: str) -> float:
-    """Return an ISO 8601 time as seconds since 1970, 0 where there is none."""
+    """Return an ISO 8601 time as seconds since 1970, 0 without one."""
     try:
         return datetime.fromisoformat(text).timestamp()
     except ValueError:
@@ -316,7 +316,7 @@ def _reason(summary: dict[str, Any], about: dict[str, Any]) -> str:
 
 
 def _capital(text: str) -> str:
-    """Begin a sentence, unless it begins with the name of a column."""
+    """Capitalise a sentence, unless it starts with the name of a column."""
     name = "_" in text.partition(" ")[0]
     return text if name else capitalised(text)
 
@@ -359,9 +359,9 @@ def _file_section(identity: FileIdentity, summary: dict[str, Any], reader: TestR
 
 
 def figure_of(path: Path, name: str = "") -> Figure:
-    """Return a figure of a test by its name in FIGURES; without one, the first that there is.
+    """Return a figure of a test by its name in FIGURES; by default the first available one.
 
-    Raises UnusableInput for a file that is no test and for what the test has no data of.
+    Raises UnusableInput for a file that is not a test, and for a figure without data in the test.
     """
     with open_test(path) as reader:
         for candidate in (name,) if name else FIGURES:
@@ -415,7 +415,7 @@ def _profile(reader: TestReader) -> Figure | None:
 
 
 def _prediction(reader: TestReader) -> Figure | None:
-    # Twin and compiler take 190 MB, which the other figures do without.
+    # Imports twin and compiler (190 MB), which the other figures do not need.
     from rigapp.report.testreport.identified import identified
     from rigapp.report.testreport.identifiedsections import depth_figure
 
@@ -443,4 +443,4 @@ FIGURES: Final[Mapping[str, Callable[[TestReader], Figure | None]]] = {
     "trip": _trip,
     "mechanism": _mechanism,
 }
-"""Name of a figure -> what draws it; None where the test has no data of it."""
+"""Name of a figure -> function that draws it; this returns None without data in the test."""

@@ -1,4 +1,4 @@
-"""The first page of a report, and what was set up: calibrations, configuration, steps."""
+"""The first page of a report, and the setup: calibrations, configuration, steps."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ from rigapp_model.parameters import Parameters
 SETTINGS: Final = "report.toml"
 LARGEST_LOGO_BYTES: Final = 1 << 20
 ALARMS_NAMED: Final = 2
-"""In the line of a result; the log of the report has all of them."""
+"""Number of alarms in the line of a result; the log of the report has all of them."""
 
 NOTE: Final[Words] = (
     "± is an expanded uncertainty with k = 2, about 95 %, as stated by the records in the file for"
@@ -58,10 +58,10 @@ FIGURES_WIDTH_IN: Final = 86.0 / 25.4
 
 
 def report_settings(test: Path, file: Path | None = None) -> tuple[ReportFile, bytes]:
-    """Return the settings of reports and the logo; without a file, the defaults.
+    """Return the settings of reports and the logo; without any file, the defaults.
 
     Without ``file`` the one beside the test file is used, then the user's. Raises UnusableInput for
-    settings or a logo that cannot be read.
+    unreadable settings or an unreadable logo.
     """
     own = platformdirs.user_config_path("rigapp") / SETTINGS
     path = file or next((p for p in (test.parent / SETTINGS, own) if p.is_file()), None)
@@ -101,7 +101,7 @@ def cover_of(
     settings: tuple[ReportFile, bytes],
     warnings: Sequence[str],
 ) -> Cover:
-    """Return the first page. warnings: what must not be overlooked."""
+    """Return the first page. warnings: important remarks."""
     file, logo = settings
     parameters = parameters_of(reader)
     wear = wear_trend(agreement.wear, rows.gaps if rows is not None else ()) if agreement else None
@@ -121,7 +121,7 @@ def cover_of(
 
 
 def _forces(rows: Rows | None, agreement: Agreement | None) -> Figure | None:
-    """Return the largest force over the test, where no wear depth is known; None without one."""
+    """Return the figure of the largest force, for tests without wear depth; None without forces."""
     size = (
         [channel for channel in rows.channels if channel.name == "force"]
         if rows is not None
@@ -133,7 +133,7 @@ def _forces(rows: Rows | None, agreement: Agreement | None) -> Figure | None:
 
 
 def numbered(pattern: str, reader: TestReader, about: Mapping[str, Any]) -> str:
-    """Return the number of a report by the pattern of its settings; empty without one."""
+    """Return the number of a report from the pattern in its settings; empty without one."""
     values = {
         "file": reader.path.stem,
         "title": about["title"],
@@ -166,7 +166,7 @@ def _facts(
 
 
 def _valid_until(calibration: Mapping[str, Any]) -> str:
-    """Return until when the records in a file hold, a day for each."""
+    """Return the expiry dates of the records in a file."""
     days = []
     for label, name in (("record_load_cell", tr("cell")), ("record_probes", tr("probes"))):
         values = calibration.get(label)
@@ -214,7 +214,7 @@ def _texts(reader: TestReader, result: TestResult, rows: Rows | None) -> list[Ro
 
 
 def parameters_of(reader: TestReader) -> Parameters | None:
-    """Return the model's parameters of a file; None where it has none that can be read."""
+    """Return the model's parameters of a file; None without readable ones."""
     tree = reader.configuration().get("parameters")
     try:
         return parse_parameters(tree, "parameters of the file") if tree else None
@@ -223,11 +223,11 @@ def parameters_of(reader: TestReader) -> Parameters | None:
 
 
 CRANK_AT_DEG: Final = 55.0
-"""The angle of the crank in the drawing."""
+"""Crank angle in the drawing."""
 
 
 def scheme(parameters: Parameters | None) -> Figure | None:
-    """Draw the mechanism in proportion with its dimensions; None without parameters."""
+    """Draw the mechanism to scale with its dimensions; None without parameters."""
     if parameters is None:
         return None
     mechanism, joint = parameters.mechanism, parameters.joint
@@ -305,7 +305,7 @@ DEVICE, RECORD = "device_", "record_"
 
 
 def setup_sections(reader: TestReader) -> list[Section]:
-    """Return the calibration used, the devices as read back, and the files as given."""
+    """Return sections of the calibration, the devices as read back, and the settings files."""
     calibration = reader.calibration()
     used = [name for name in TITLES if name in calibration]
     used += [
@@ -406,7 +406,7 @@ HEADER: tuple[Words, ...] = (
 
 
 def step_section(reader: TestReader) -> list[Section]:
-    """Return the table of the steps, nothing for a test without them."""
+    """Return the section with the table of steps, empty for a test without steps."""
     sequence, rows = sequence_of(reader), reader.committed()
     if sequence is None or not rows:
         return []
@@ -447,7 +447,7 @@ def step_section(reader: TestReader) -> list[Section]:
 
 
 def _residuals(reader: TestReader, revolutions: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the RMS of measured minus predicted |F| of each revolution, NaN where none is."""
+    """Return the RMS of measured minus predicted |F| of each revolution, NaN if unknown."""
     result = np.full(len(revolutions), np.nan)
     table = StoredColumns(reader, "prediction")
     if "residual_rms" in table:

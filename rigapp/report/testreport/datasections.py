@@ -1,4 +1,4 @@
-"""The sections of a report that are made of data: extremes, model, cycles, wear, quality."""
+"""Sections of a report about data: extremes, model, cycles, wear, quality."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ from rigapp.texts import capitalised
 from rigapp_calibration.load_cell.force_uncertainty import ForceUncertainty
 
 PANELS = 4
-"""Channels in one picture of free ones: five would not fit on a page with their words."""
+"""Number of free channels in one figure: five would not fit on a page with their texts."""
 
-BURSTS_SHOWN = 40  # a page of them
-LINES = 20  # half a page; its heading counts the rest
+BURSTS_SHOWN = 40  # a page
+LINES = 20  # half a page; the heading has the total number
 
 RESIDUALS: dict[str, Words] = {
     "residual_rms": "residual of |F|, RMS",
@@ -109,7 +109,7 @@ def extremes(
 
 
 def batched(channels: Sequence[Any]) -> Iterator[Sequence[Any]]:
-    """Yield channels, so many at a time as one picture can show."""
+    """Yield the channels in groups of ``PANELS``, for one figure each."""
     for first in range(0, len(channels), PANELS):
         yield channels[first : first + PANELS]
 
@@ -158,7 +158,7 @@ def _extremes_row(channel: ChannelFacts, noted: dict[str, str]) -> tuple[str, ..
 def agreement(
     agreed: Agreement | None, rows: Rows | None, events: Sequence[Event] = ()
 ) -> list[Section]:
-    """Return how well the model agrees with the measurement."""
+    """Return the section about the agreement of model and measurement."""
     title = tr("Agreement with the model")
     if agreed is None or rows is None:
         return [Section(title, (Text(tr("No prediction is recorded in the file.")),))]
@@ -226,7 +226,7 @@ def _statistic(name: str) -> str:
 
 
 def trip(capture: TripCapture | None, reason: str) -> list[Section]:
-    """Return what tripped, and the time around it; nothing of a test that did not trip."""
+    """Return the section about the trip and the time around it; empty for a test without trip."""
     if capture is None:
         return []
     text = capitalised(reason)
@@ -244,9 +244,9 @@ def cycles(
     bursts: Sequence[Burst] = (),
     unfinished: Sequence[int] = (),
 ) -> Section:
-    """Return the pictures of the first, middle and last saved cycle.
+    """Return the figures of the first, middle and last saved cycle.
 
-    Below them stand the cycles that triggers kept.
+    Below them the cycles stored by triggers are listed.
     """
     blocks: list[Block] = []
     if refused:
@@ -270,7 +270,7 @@ def cycles(
 
 
 def _bursts(bursts: Sequence[Burst]) -> list[Block]:
-    """Return the whole cycles that alarms, limits and notes kept."""
+    """Return the blocks about complete cycles stored by alarms, limits and notes."""
     if not bursts:
         return []
     table = tuple(
@@ -288,7 +288,7 @@ def _bursts(bursts: Sequence[Burst]) -> list[Block]:
 
 
 def wear(agreed: Agreement | None, worn: Worn | None = None) -> Section:
-    """Return the wear depth, measured and predicted, and its rate, or why they are not known."""
+    """Return the section about wear depth, measured and predicted, and its rate, or the reason."""
     known = agreed.wear if agreed is not None else {}
     table = Table(
         "",
@@ -327,7 +327,7 @@ def _wear_cells(last: LastDepth | None) -> tuple[str, str, str]:
 
 
 def quality(rows: Rows | None) -> Section:
-    """Return the quality flags, counted, in words."""
+    """Return the section with the number of revolutions for each quality flag."""
     title = tr("Quality of the data")
     if rows is None:
         return Section(title, (Text(tr("No revolution is recorded.")),))

@@ -1,4 +1,4 @@
-"""Draw a long series with few points, so that every peak stays."""
+"""Reduce a long series to few points with all peaks."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from rigapp.schema.rownumbers import RowNumbers
 Floats = NDArray[np.float64]
 
 BUCKETS = 900
-"""More than a printed line of a page can show."""
+"""Number of parts, more than the resolution of a printed page."""
 
 
 def envelope(x: NDArray[np.generic] | RowNumbers, y: NDArray[np.generic]) -> tuple[Floats, Floats]:
     """Return the points of a polyline through y (n,) over the ascending x (n,).
 
-    A long series is cut into BUCKETS parts, each drawn as a stroke from its smallest to its
-    largest value; NaN is left out unless a whole part is NaN.
+    A long series is divided into BUCKETS parts, each drawn as a line from its smallest to its
+    largest value; NaN is skipped unless a whole part is NaN.
     """
     n = min(len(x), len(y))
     ys = np.asarray(y[:n], np.float64)

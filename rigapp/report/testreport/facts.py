@@ -1,7 +1,7 @@
 """Reduce a test file to the facts of its report, one column at a time.
 
-Only a column or two of the revolutions is in memory at once, so that a test of 10^7 revolutions
-needs no more than a few hundred megabytes.
+Only one or two columns of the revolutions are in memory at a time, so that a test of 10^7
+revolutions needs at most a few hundred megabytes.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ from rigapp.storage import TestReader, largest_force, row_numbers
 Line = tuple[Floats, Floats]
 
 SPEED = Channel("speed", "rpm", "speed of the crank")
-"""The speed, which the encoder gives, as a report treats it: beside the channels."""
+"""The speed from the encoder, which a report shows like a channel."""
 
 SIZE = "force"
 
 ENDS = 10
-"""Good revolutions at each end of the test that are averaged to say how a quantity changed."""
+"""Number of good revolutions averaged at each end of the test to show the change of a quantity."""
 
 
 @dataclass(frozen=True, slots=True)
 class Peak:
-    """An extreme value, the revolution it was in, and that revolution's quality flags.
+    """An extreme value, its revolution, and that revolution's quality flags.
 
-    lower_bound: the value went beyond the measuring range.
+    lower_bound: the value exceeded the measuring range.
     """
 
     value: float
@@ -45,18 +45,18 @@ class Peak:
 
     @property
     def sign(self) -> str:
-        """Return the text before the value."""
+        """Return the sign before the value."""
         return "≥ " if self.lower_bound else ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ChannelFacts:
-    """A channel, as the file describes it.
+    """Facts of a channel of the file.
 
-    overall: RMS over the whole test, of a slow channel the mean; start, end: mean of that there.
-    steady: smallest and largest value in revolutions at a steady speed, None without any.
-    lines: maximum, minimum and RMS against revolution, of a slow channel its values. age_s: the
-    oldest value of a slow channel, NaN for others.
+    overall: RMS over the whole test, for a slow channel the mean; start, end: its mean at the ends.
+    steady: smallest and largest value in revolutions at a steady speed, None without any. lines:
+    maximum, minimum and RMS against revolution, for a slow channel its values. age_s: largest age
+    of a slow channel's value, NaN for others.
     """
 
     channel: Channel
@@ -76,15 +76,15 @@ class ChannelFacts:
 
     @property
     def unit(self) -> str:
-        """Return the unit of its values."""
+        """Return the unit of the values."""
         return self.channel.unit
 
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """Data missing before a revolution.
+    """A gap in the data before a revolution.
 
-    missing: revolutions not recorded. seconds: without data, by the host's clock.
+    missing: number of revolutions not recorded. seconds: duration by the host's clock.
     """
 
     revolution: int
@@ -95,7 +95,7 @@ class Gap:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rows:
-    """The statistics of the revolutions. flags: revolutions with each flag."""
+    """Statistics of the revolutions. flags: number of revolutions with each flag."""
 
     revolutions: int
     good: int
@@ -114,7 +114,7 @@ class Rows:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _RowQuality:
-    """The numbers and the quality flags of the rows; first, last: good rows at each end."""
+    """Numbers and quality flags of the rows; first, last: good rows at each end."""
 
     number: RowNumbers
     quality: NDArray[np.int32]
@@ -123,7 +123,7 @@ class _RowQuality:
 
 
 class _Table:
-    """Read columns of the rows that were safe when the report was begun."""
+    """Read columns of the rows that were committed when the report was started."""
 
     def __init__(self, reader: TestReader) -> None:
         self._reader = reader
@@ -131,7 +131,7 @@ class _Table:
         self.units = reader.column_units()
 
     def column(self, name: str) -> NDArray[Any]:
-        """Return the safe rows of a column."""
+        """Return the committed rows of a column."""
         return self._reader.column(name, 0, self.rows)
 
     def __contains__(self, name: str) -> bool:
@@ -176,7 +176,7 @@ def rows_of(reader: TestReader) -> Rows | None:
 
 
 def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
-    """Return |F| with the largest one of the test, which may be of a revolution without a row."""
+    """Return |F| with the largest value of the test, which may be in a revolution without a row."""
     largest = largest_force(reader)
     if largest is None:
         return force
@@ -187,11 +187,11 @@ def _with_trip(force: ChannelFacts, reader: TestReader) -> ChannelFacts:
 
 
 PART = 1 << 18
-"""Values read at once, so that copies of a long column stay small."""
+"""Number of values processed at once, so that copies of a long column stay small."""
 
 
 def parts_of(values: NDArray[Any]) -> Iterator[tuple[int, NDArray[Any]]]:
-    """Yield a long column part by part (views), with the place of each part's first value."""
+    """Yield a long column in parts (views), each with the index of its first value."""
     for first in range(0, len(values), PART):
         yield first, values[first : first + PART]
 
@@ -206,7 +206,7 @@ def mean(values: NDArray[Any], power: int = 1) -> float:
 
 
 def furthest(values: NDArray[Any], of: Callable[[NDArray[Any]], NDArray[Any]]) -> int | None:
-    """Return the place of the finite value of which a function is largest; None without any."""
+    """Return the index of the finite value with the largest result of ``of``; None without any."""
     result, most = None, -math.inf
     for first, part in parts_of(values):
         finite = np.isfinite(part)
@@ -221,7 +221,7 @@ def furthest(values: NDArray[Any], of: Callable[[NDArray[Any]], NDArray[Any]]) -
 def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
     """Return the smallest and the largest value of a measured or predicted column, and its unit.
 
-    None when there is no such column or no value in it.
+    None for a missing column or one without values.
     """
     if name in reader.column_units():
         values, unit = reader.column(name), reader.column_units()[name]
@@ -240,7 +240,7 @@ def span_of(reader: TestReader, name: str) -> tuple[float, float, str] | None:
 
 
 def _columns(channel: Channel) -> tuple[str, ...]:
-    """Return the columns that a report needs of a channel: of a slow one value and age."""
+    """Return the columns of a channel for a report; for a slow one, value and age."""
     if channel.kind is Kind.SLOW:
         return channel.name, f"{channel.name}_age"
     return f"{channel.name}_max", f"{channel.name}_min", f"{channel.name}_rms"
@@ -332,11 +332,11 @@ def _gaps(table: _Table, number: RowNumbers, quality: NDArray[np.int32]) -> tupl
 
 
 Stated = Mapping[str, float]
-"""Channel -> expanded uncertainty of one of its values, in its unit; without those not stated."""
+"""Channel -> stated expanded uncertainty of one value, in its unit."""
 
 
 def stated_uncertainties(calibration: Mapping[str, Any]) -> Stated:
-    """Return what a file states of the channels beside the forces."""
+    """Return the uncertainties stated in a file for channels other than forces."""
     probes = calibration.get("probes")
     both = probes.get("uncertainty_um") if isinstance(probes, Mapping) else None
     stated: dict[str, Any] = dict(zip(BASE.names_of(PROBES), both or (), strict=False))

@@ -1,4 +1,4 @@
-"""Numbers, times and codes in the words of a report."""
+"""Format numbers, times and codes for a report."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ NOUNS: Final[tuple[Text, ...]] = (
     "revolutions", "sample", "samples", "complete cycle", "complete cycles", "more trigger",
     "more triggers",
 )  # fmt: skip
-"""What ``counted`` counts, one and many."""
+"""Nouns of ``counted``, singular and plural."""
 
 DECIMALS = {"N": 1, "um": 1, "mm": 4, "rpm": 2, "deg": 1, "degC": 1, "s": 1, "1": 0}
-"""Digits after the point that a unit deserves on this kind of rig."""
+"""Decimal places of each unit on this kind of rig."""
 
 POWER: Final = re.compile(r"(?<=[a-z])\^?([23])(?![0-9])")
-"""Of a unit: g/cm3, mm^3."""
+"""Exponent of a unit: g/cm3, mm^3."""
 SHORTER: Final[dict[str, Text]] = {
     "force": "joint force |F|",
     "force_1": "force along the crank, force_1",
@@ -36,7 +36,7 @@ SHORTER: Final[dict[str, Text]] = {
     "speed": "speed of the crank",
     "probe_2": "pin across the follower, probe_2",
 }
-"""What a heading calls a channel of every rig; the schema's own words are a sentence."""
+"""Short names of the channels of every rig for headings; those of the schema are sentences."""
 
 FLAGS: Final[dict[Flag, Text]] = {
     Flag.LOST_SAMPLES: "samples lost in or just before the revolution",
@@ -70,18 +70,18 @@ REASONS: Final[dict[str, Text]] = {
 
 
 def title_of(channel: Channel) -> str:
-    """Return what a table or a picture calls a channel."""
+    """Return the name of a channel in tables and figures."""
     return tr(SHORTER.get(channel.name, channel.description or channel.name))
 
 
 def symbol(unit: str) -> str:
-    """Return a unit as it is printed."""
+    """Return the printed form of a unit."""
     named = {"um": "µm", "1": "", "deg": "°", "degC": "°C"}.get(unit, unit.replace("um/", "µm/"))
     return POWER.sub(lambda power: {"2": "²", "3": "³"}[power[1]], named)
 
 
 def number(value: float, unit: str = "1", digits: int | None = None) -> str:
-    """Return a value with the decimals that its unit deserves; not finite: unknown."""
+    """Return a value with the decimal places of its unit; not finite: unknown."""
     if not math.isfinite(value):
         return tr(UNKNOWN)
     places = DECIMALS.get(unit, 3) if digits is None else digits
@@ -96,7 +96,7 @@ def quantity(value: float, unit: str, digits: int | None = None) -> str:
 
 
 def counted(value: int, noun: str, many: str = "") -> str:
-    """Return a number with its noun."""
+    """Return a number with its noun, singular or plural."""
     return f"{grouped(value)} {tr(noun if value == 1 else many or noun + 's')}"
 
 
@@ -128,12 +128,12 @@ def size(octets: int) -> str:
 
 
 def flags(quality: int) -> str:
-    """Return the flags of a revolution in words, empty for a good one."""
+    """Return the flags of a revolution as text, empty for a good one."""
     return "; ".join(tr(words) for flag, words in FLAGS.items() if quality & flag)
 
 
 def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str]]:
-    """Return nested settings as rows of name and value, the unit of the key beside the value."""
+    """Return nested settings as rows of name and value, with the key's unit after the value."""
     rows: list[tuple[str, str]] = []
     for key, value in values.items():
         if isinstance(value, Mapping):
@@ -147,14 +147,14 @@ def settings(values: Mapping[str, Any], prefix: str = "") -> list[tuple[str, str
 
 
 def _named(name: str) -> str:
-    """Return a key in words; in another language as the form of a test file calls it."""
+    """Return the name of a key; in another language that of the form of a test file."""
     words = name.replace("_", " ")
     known = tr(capitalised(words))
     return words if known == capitalised(words) else known
 
 
 MANY: Final = 1e12
-"""From here on a whole number is a quantity, and is written with its power of ten."""
+"""Integers from this value are treated as quantities, written with a power of ten."""
 
 
 def _setting(value: Any) -> str:
@@ -167,5 +167,5 @@ def _setting(value: Any) -> str:
             return "; ".join(", ".join(map(_setting, row)) for row in value)
         return ", ".join(map(_setting, value))
     if isinstance(value, float) and value.is_integer() and abs(value) < MANY:
-        return f"{value:.0f}"  # a count is whole, however long
+        return f"{value:.0f}"  # all digits of a count
     return f"{value:.6g}" if isinstance(value, float) else str(value)

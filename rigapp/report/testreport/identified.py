@@ -1,7 +1,7 @@
-"""What is known of the wear of recorded tests: each alone, and specimens of one pairing together.
+"""Identified wear of recorded tests, individually and for specimens of one pairing.
 
-The course is what the twin stated while the test ran, from the columns of the file. Posterior and
-bands are made again from what it kept in the file, by the same functions of
+The course has the twin's statements during the test, from the columns of the file. Posterior and
+bands are recomputed from the twin's data in the file by the same functions of
 ``rigapp_model.identification``: the same bins give the same numbers.
 """
 
@@ -49,20 +49,20 @@ from rigapp_model.identification.words import sentence
 Array = NDArray[np.float64]
 
 EARLY = 0.1
-"""Share of the planned revolutions after which the early band was predicted, to be compared."""
+"""Share of the planned revolutions after which the early band is predicted, for comparison."""
 BAND_POINTS = 60
-"""Revolutions at which a band is computed: it is a smooth curve."""
+"""Number of revolutions at which a band is computed, sufficient for a smooth curve."""
 STATED = tuple(column.name for column in identified_columns())
-"""The columns of the course."""
+"""Columns of the course."""
 
 
 RECENT = 1 << 16
-"""Revolutions among which the last one at the set speed is looked for: no ramp is so long."""
+"""Number of last revolutions searched for one at the set speed; longer than any ramp."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ForecastBand:
-    """The band predicted after a revolution, to the planned end."""
+    """Band predicted after a revolution, up to the planned end."""
 
     after: int
     band: Band
@@ -70,12 +70,12 @@ class ForecastBand:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class IdentifiedTest:
-    """What is known of the wear of one test.
+    """Identified wear of one test.
 
-    identifier: of the test; record: the probes' calibration; said: the statement in words, or why
-    there is none, and then refused; course: columns over the revolutions at which the twin stated
-    something new; known: after the last bin; before: revolutions that the bushing had made when the
-    test began, which readings and bands count; left: None without a depth at which the test ends.
+    identifier: of the test; record: the probes' calibration; said: the statement as text, or the
+    reason for its absence, and then refused; course: columns over the revolutions with a new
+    statement of the twin; known: after the last bin; before: revolutions of the bushing before the
+    test, included in those of readings and bands; left: None without a depth that ends the test.
     """
 
     path: Path
@@ -95,23 +95,23 @@ class IdentifiedTest:
 
     @property
     def remaining_s(self) -> float:
-        """Return how long it goes on at its last set speed, s; NaN where it is not known."""
+        """Return the remaining time of the test at its last set speed, s; NaN if unknown."""
         if self.left is None or self.left.revolutions is None or not self.rpm:
             return float("nan")
         return 60.0 * self.left.revolutions.median / self.rpm
 
 
 def identified_test(path: Path, after: int | None = None) -> IdentifiedTest:
-    """Return what is known of the wear of a recorded test; raise UnusableInput for no test.
+    """Return the identified wear of a recorded test; raises UnusableInput for other files.
 
-    It gives a reason for each value that is unknown. after: as known after a revolution.
+    The result has a reason for each unknown value. after: use only data up to a revolution.
     """
     with open_test(path) as reader:
         return identified(reader, path, after)
 
 
 def identified(reader: TestReader, path: Path, after: int | None = None) -> IdentifiedTest:
-    """Return what is known of the wear of an open test."""
+    """Return the identified wear of an open test."""
     about = reader.metadata()
     end = reader.committed() if after is None else rows_up_to(reader, after)
     recent = max(0, end - RECENT)
@@ -139,7 +139,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
         def known_at(index: int) -> Identification:
             moment = moments[index]
             errors = kept.errors()
-            if not before:  # else the zero was known best in an earlier test, and stays so
+            if not before:  # else the zero of an earlier test is the best and is kept
                 errors = replace(errors, reference=max(moment.reference, LEAST_REFERENCE))
             return identify(kept.bins.closed[: index + 1], life, errors, kept.prior())
 
@@ -178,7 +178,7 @@ def identified(reader: TestReader, path: Path, after: int | None = None) -> Iden
 
 @dataclass(frozen=True, slots=True)
 class _Moment:
-    """When a bin was closed, and the standard uncertainty of the depth's zero then, m."""
+    """Time when a bin was closed, and standard uncertainty of the depth's zero then, m."""
 
     closed: float
     reference: float
@@ -187,9 +187,9 @@ class _Moment:
 def _moments(
     reader: TestReader, bins: Sequence[Bin], after: int | None, before: int
 ) -> list[_Moment]:
-    """Return the moments at which bins were closed: at the first reading that is in none of them.
+    """Return the moments at which bins were closed: at the first reading after each bin.
 
-    Raises NotIdentifiable where there is none.
+    Raises NotIdentifiable without any.
     """
     table = StoredColumns(reader, "prediction")
     read = np.isfinite(table["measured_wear_depth"])
@@ -206,14 +206,14 @@ def _moments(
 
 
 def _last(reader: TestReader, after: int | None) -> float:
-    """Return the last revolution that counts."""
+    """Return the last revolution to evaluate."""
     rows = reader.committed("prediction")
     last = float(reader.column("revolution", rows - 1, rows, "prediction")[0])
     return last if after is None else min(last, float(after))
 
 
 def _left(known: Identification, life: DepthLife, depth: float, last: float) -> Remaining:
-    """Return what remains after the last revolution, which lies behind the last bin."""
+    """Return the remaining life after the last revolution, which is later than the last bin."""
     result = remaining(known, life, depth)
     if result.revolutions is None:
         return result
@@ -224,7 +224,7 @@ def _left(known: Identification, life: DepthLife, depth: float, last: float) -> 
 
 
 def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
-    """Return the columns of the rows that state something new."""
+    """Return the columns of the rows with new statements."""
     table = StoredColumns(reader, "prediction")
     stated = np.isfinite(table["wear_coefficient"])
     if after is not None:
@@ -239,7 +239,7 @@ def _course(reader: TestReader, after: int | None) -> dict[str, Array]:
 def _early(
     known_at: Callable[[int], Identification], index: int, life: DepthLife, planned: int
 ) -> list[ForecastBand]:
-    """Return the early band; none where nothing was identifiable so early."""
+    """Return the early band; empty where the wear was not identifiable then."""
     try:
         return [_band(known_at(index), life, planned)]
     except NotIdentifiable:
@@ -253,9 +253,9 @@ def _band(known: Identification, life: DepthLife, planned: int) -> ForecastBand:
 
 
 def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> str:
-    """Return a sentence when the depth measured last lies outside of the early band; else nothing.
+    """Return a sentence when the last measured depth is outside the early band, else empty.
 
-    before: revolutions that the bushing had made when the test began, which bands and bins count.
+    before: revolutions of the bushing before the test, included in those of bands and bins.
     """
     if len(bins) < 2 or bins[-1].revolution <= early.after:
         return ""
@@ -285,7 +285,7 @@ def beyond_band(early: ForecastBand, bins: Sequence[Bin], before: int = 0) -> st
 
 @dataclass(frozen=True, slots=True, eq=False)
 class IdentifiedTests:
-    """The parameters of several tests; pairing: of all together, None with why not."""
+    """Parameters of several tests; pairing: of all together, or None with ``why_not``."""
 
     tests: tuple[IdentifiedTest, ...]
     pairing: Pairing | None = None
@@ -298,10 +298,10 @@ def identified_tests(
     after: int | None = None,
     progress: Callable[[float, float], None] | None = None,
 ) -> IdentifiedTests:
-    """Return what is known of tests, and of their pairing by all that hold enough.
+    """Return the identified wear of tests, and of their pairing from all with sufficient data.
 
-    after: as it was known after a revolution. progress: called with the number of files done and of
-    all. Raises UnusableInput for no test, or the same one twice.
+    after: use only data up to a revolution. progress: called with the number of completed and of
+    all files. Raises UnusableInput for files that are not tests, and for the same test twice.
     """
     tests: list[IdentifiedTest] = []
     for path in paths:

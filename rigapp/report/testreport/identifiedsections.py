@@ -1,4 +1,4 @@
-"""What was identified of the wear: as plots, and as sections of a report."""
+"""Identified wear as plots and as sections of a report."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ COEFFICIENT = f"K in {COEFFICIENT_UNIT}"
 
 
 def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
-    """Draw depth in bins and its predicted bands on matplotlib axes, in um."""
+    """Draw binned depths and predicted bands on matplotlib axes, in um."""
     readings = known.readings
     shades = (COLOURS["probe_2"], MODEL) if len(test.bands) > 1 else (MODEL,)
     for forecast, colour in zip(test.bands, shades, strict=True):
@@ -47,7 +47,7 @@ def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
 
 
 def depth_figure(test: IdentifiedTest, known: Identification) -> Figure:
-    """Draw the measured depth in bins with the bands predicted early and last."""
+    """Draw the binned measured depth with the bands predicted early and last."""
     with canvas_of(2.8) as canvas:
         axes = canvas.subplots()
         draw_depth(axes, test, known)
@@ -66,7 +66,7 @@ def depth_figure(test: IdentifiedTest, known: Identification) -> Figure:
 
 
 def narrowing_figure(test: IdentifiedTest) -> Figure:
-    """Draw the wear coefficient with its limits against the revolution at which it was known."""
+    """Draw the wear coefficient with its limits against the revolution of the evaluation."""
     at = test.course["revolution"]
     median, low, high = (
         COEFFICIENT_SCALE * test.course[f"wear_coefficient{limit}"]
@@ -94,7 +94,7 @@ def narrowing_figure(test: IdentifiedTest) -> Figure:
 
 
 def specimen_figure(identified: IdentifiedTests) -> Figure | None:
-    """Draw the coefficient of each specimen, of their median and of the next; None without any."""
+    """Draw the coefficients of the specimens, of their median and of the next; None without any."""
     if identified.pairing is None:
         return None
     lines: list[tuple[str, Credible]] = [
@@ -130,7 +130,7 @@ SECTION = "What is known of the wear"
 
 
 def credible_text(coefficient: Credible, unit: bool = True) -> str:
-    """Return a wear coefficient with its 95 % limits in words."""
+    """Return a wear coefficient with its 95 % limits as text."""
     median, low, high = (PER_UNIT * getattr(coefficient, end) for end in ("median", "low", "high"))
     value, limits = coefficient_text(median, low, high)
     return f"{value}, {limits}" if unit else f"{coefficient_number(median)}, {limits}"
@@ -141,7 +141,7 @@ def _prior_text(prior: Prior) -> str:
 
 
 def _budget_text(known: Identification) -> str:
-    """Return what the limits of the coefficient hold beside the readings' own disturbances."""
+    """Return the contributions to the coefficient's limits besides disturbances of readings."""
     errors = known.errors
     return tr(
         "probes {:.2g} %, zero {:.2g} µm, force {:.2g} %, clearance and width {:.2g} %, modulus",
@@ -153,7 +153,7 @@ def _budget_text(known: Identification) -> str:
 
 
 def remaining_text(test: IdentifiedTest) -> str:
-    """Return how long the test goes on until the depth of its end, in words."""
+    """Return the remaining life until the depth that ends the test, as text."""
     left = test.left
     if left is None:
         return tr("not requested: the test has no stop.wear_depth_um")

@@ -1,6 +1,6 @@
-"""What was identified of the wear as CSV and JSON.
+"""Identified wear as CSV and JSON.
 
-The keys are a promise to users: docs/model-wear.md lists them.
+The keys are part of the public interface; docs/model-wear.md lists them.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ PER_UNIT = 1e9
 """mm^3/(N m) in 1 m^2/N."""
 UM = 1e6
 LEVEL = 0.95
-"""Probability that the limits hold."""
+"""Probability of the limits."""
 
 COLUMNS = {
     "revolution": "revolution",
@@ -33,7 +33,7 @@ COLUMNS = {
         for column in identified_columns()
     },
 }
-"""Column of the file -> of the CSV: a row for each revolution at which something new was stated."""
+"""Column of the file -> column of the CSV, with a row for each revolution with a new statement."""
 
 
 def as_csv(identified: IdentifiedTests) -> bytes:
@@ -50,7 +50,7 @@ def as_csv(identified: IdentifiedTests) -> bytes:
 
 
 def as_tree(identified: IdentifiedTests) -> dict[str, Any]:
-    """Return all that is known as plain values: what is not known is None."""
+    """Return all results as plain values, None if unknown."""
     tests = [tree_of_test(test) for test in identified.tests]
     return {
         "schema": 1,
@@ -64,7 +64,7 @@ def as_tree(identified: IdentifiedTests) -> dict[str, Any]:
 
 
 def tree_of_test(test: IdentifiedTest) -> dict[str, Any]:
-    """Return what is known of one test as plain values."""
+    """Return the results of one test as plain values."""
     head: dict[str, Any] = {
         "file": str(test.path),
         "title": test.title,
@@ -128,9 +128,9 @@ COEFFICIENT_KEY, REMAINING_KEY = "wear_coefficient_mm3_per_Nm", "remaining_revol
 
 
 def promised(test: IdentifiedTest) -> dict[str, Any]:
-    """Return the keys that every JSON of a test has: values with limits, or None and a reason.
+    """Return the keys in every JSON of a test: values with limits, or None and a reason.
 
-    Each of the two quantities has its own ``..._reason``; ``reason`` holds whatever there is.
+    Each of the two quantities has its own ``..._reason``; ``reason`` holds those present.
     """
     known, left = test.known, test.left
     if known is None:
@@ -156,7 +156,7 @@ def promised(test: IdentifiedTest) -> dict[str, Any]:
 def promised_of_all(
     identified: IdentifiedTests, tests: Sequence[Mapping[str, Any]]
 ) -> dict[str, Any]:
-    """Return the same keys of a single test, or of the median specimen of several."""
+    """Return the same keys for a single test, or for the median specimen of several."""
     if len(tests) == 1:
         return {key: tests[0][key] for key in PROMISED}
     each = say("It belongs to one test: see the list of tests.")
@@ -189,7 +189,7 @@ PROMISED = tuple(_promised(None, None, "", ""))
 
 
 def _estimate(quantity: Credible, factor: float) -> dict[str, Any]:
-    """Return a quantity as estimate, limits and their level; a limit that is unknown is None."""
+    """Return a quantity as estimate, limits and their level; unknown limits are None."""
     estimate, low, high = _list((quantity.median, quantity.low, quantity.high), factor)
     return {"estimate": estimate, "low": low, "high": high, "level": LEVEL}
 

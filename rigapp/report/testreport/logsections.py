@@ -33,7 +33,7 @@ LEFT_OUT = (ALARM, *CHANGES)
 
 @dataclass(frozen=True, slots=True)
 class AlarmRecord:
-    """One alarm from its beginning on. Times are UTC seconds, None when it did not happen."""
+    """One alarm with its changes. Times: UTC seconds, None for changes that did not occur."""
 
     title: str
     cause: str
@@ -46,7 +46,7 @@ class AlarmRecord:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """One limit of the test. now: after the last change. quantity: a column, or empty."""
+    """One limit of the test. now: value after the last change. quantity: a column, or empty."""
 
     name: str
     quantity: str
@@ -60,8 +60,8 @@ class Limit:
 def alarms_of(events: Sequence[Event], reason: str) -> list[AlarmRecord]:
     """Return the alarms in the order in which they were raised.
 
-    The log says which one was first out; in older files, which do not, it is the one that gives the
-    reason with which the test ended.
+    The first-out alarm is marked in the log; in older files without the mark it is the alarm named
+    in the reason of the test's end.
     """
     result: list[AlarmRecord] = []
     index: dict[str, int] = {}
@@ -97,7 +97,7 @@ def _continued(record: AlarmRecord, event: Event, change: AlarmChange) -> AlarmR
 
 
 def limits_of(test_text: str, events: Iterable[Event]) -> list[Limit]:
-    """Return the limits of the test file (TOML), and what they were changed to."""
+    """Return the limits of the test file (TOML), with their changes."""
     try:
         document = tomllib.loads(test_text)
     except tomllib.TOMLDecodeError:
@@ -157,7 +157,7 @@ def _number(value: Any) -> list[float]:
 
 
 SHOWN = 60
-"""Longest table of the log; the rest is counted, and is in the file."""
+"""Maximum number of rows of a table; the rest is counted, and is in the file."""
 
 KINDS: dict[str, Words] = {
     "note": "note",
@@ -337,7 +337,7 @@ def _course(events: Sequence[Event]) -> Block:
 def _cut(
     title: str, rows: tuple[tuple[str, ...], ...], header: tuple[str, ...], shown: int = SHOWN
 ) -> list[Block]:
-    """Return a table, and when it is too long a sentence on what is left out."""
+    """Return a table, shortened if necessary, with a sentence about the omitted rows."""
     blocks: list[Block] = [Table(title, rows[:shown], header)]
     if len(rows) > shown:
         text = tr("{} more are left out here; they are in the file.", grouped(len(rows) - shown))

@@ -1,4 +1,4 @@
-"""Reduce the prediction of a test file: agreement with the model, wear, whole cycles."""
+"""Reduce the prediction of a test file: agreement with the model, wear, complete cycles."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ COMPARED = tuple(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residual:
-    """One measure of agreement over the test. worst: the largest magnitude."""
+    """A measure of agreement over the test. worst: the largest magnitude."""
 
     name: str
     unit: str
@@ -53,10 +53,10 @@ class Pair:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LastDepth:
-    """The last wear depth that is known (mm), and its revolution.
+    """The last known wear depth (mm), and its revolution.
 
-    rate: mm a revolution over the last half of the revolutions with a depth. uncertainty: expanded
-    (k = 2), mm, NaN where the file has none. doubt: the same against revolution.
+    rate: mm per revolution over the last half of the revolutions with a depth. uncertainty:
+    expanded (k = 2), mm, NaN where the file has none. doubt: the same against revolution.
     """
 
     depth: float
@@ -69,10 +69,10 @@ class LastDepth:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Agreement:
-    """The prediction for the test. compared: revolutions that were compared.
+    """The prediction for the test. compared: number of compared revolutions.
 
-    joint: what its joint technique assumes, empty when not in the file. deviation: what
-    explained at the end that the rig differs by more than tolerances allow, empty where it did not.
+    joint: assumption of the joint technique, empty when not in the file. deviation: final
+    explanation of a difference beyond the tolerances, empty without such a difference.
     """
 
     compared: int
@@ -86,11 +86,11 @@ class Agreement:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CyclePicture:
-    """A saved cycle by angle, with the model's curves where they are saved.
+    """A saved cycle over the angle, with the model's curves where they are saved.
 
     columns: angle and channels, sorted by angle. model: angle and curves of model_revolution.
-    residual: measured minus predicted by channel, at the measured angles. free: the channels among
-    the columns that belong to no instrument.
+    residual: measured minus predicted by channel, at the measured angles. free: the free channels
+    among the columns.
     """
 
     revolution: int
@@ -103,9 +103,9 @@ class CyclePicture:
 
 @dataclass(frozen=True, slots=True)
 class Burst:
-    """Whole cycles kept around one trigger. trigger: its revolution, 0 when it has no cycle.
+    """Complete cycles stored around a trigger. trigger: its revolution, 0 if it has no cycle.
 
-    quality: all flags of its cycles together.
+    quality: combined flags of the cycles.
     """
 
     trigger: int
@@ -116,7 +116,7 @@ class Burst:
 
 
 def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
-    """Return the whole cycles that triggers kept, those that follow one another as one."""
+    """Return the complete cycles stored by triggers, consecutive ones as one burst."""
     reasons = reader.cycle_reasons()
     places = [i for i, why in enumerate(reasons) if why in TRIGGERED]
     if not places:
@@ -160,7 +160,7 @@ def agreement_of(reader: TestReader) -> Agreement | None:
 
 
 def wear_of(reader: TestReader) -> dict[str, LastDepth | None]:
-    """Return the depths that a test has, by column; None for those of which nothing is known."""
+    """Return the depths of a test by column, None if unknown."""
     table, number = StoredColumns(reader, "prediction"), row_numbers(reader, "prediction")
     return {
         name: _wear(number, table[name], table.get(f"{name}_uncertainty"))
@@ -171,7 +171,7 @@ def wear_of(reader: TestReader) -> dict[str, LastDepth | None]:
 
 
 def _deviation(table: StoredColumns) -> str:
-    """Return how the last prediction explains a difference; empty where it does not."""
+    """Return the last prediction's explanation of a difference; empty without one."""
     names = [column.name for column in deviation_columns()]
     if not all(name in table for name in names):
         return ""
@@ -179,7 +179,7 @@ def _deviation(table: StoredColumns) -> str:
 
 
 def _assumption(reader: TestReader) -> str:
-    """Return what the joint technique of the test file assumes; empty when it is not readable."""
+    """Return the assumption of the test file's joint technique; empty when it is not readable."""
     try:
         test = parse_test(str(reader.configuration()["test"]), "test", recorded=True)
         return technique_of(test.prediction.joint).sentence
@@ -228,7 +228,7 @@ def _wear(number: RowNumbers, depth: NDArray[Any], doubt: NDArray[Any] | None) -
     if not count:
         return None
     all_known = count == len(depth)
-    # Indices of all of a long test would take as much as its depths.
+    # Indices of a long test would need as much memory as its depths.
     finite = np.arange(0) if all_known else np.flatnonzero(known)
     late = np.arange(count // 2, count) if all_known else finite[count // 2 :]
     last = int(late[-1])
@@ -243,7 +243,7 @@ def _wear(number: RowNumbers, depth: NDArray[Any], doubt: NDArray[Any] | None) -
 
 
 def _rate(number: RowNumbers, depth: NDArray[Any], late: NDArray[np.intp]) -> float:
-    """Return the slope of a straight line through the depths of some rows, mm a revolution."""
+    """Return the slope of a straight line through the depths of some rows, mm per revolution."""
     if late.size < 2 or number[int(late[-1])] <= number[int(late[0])]:
         return float("nan")
     begin, count = float(number[int(late[0])]), float(late.size)
@@ -263,7 +263,7 @@ def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:
 
 
 def cycles_at(reader: TestReader, places: Sequence[int]) -> tuple[CyclePicture, ...]:
-    """Return the saved cycles at some places, each with the model's curves that belong to it."""
+    """Return the saved cycles at some indices, each with its model curves."""
     curves, saved = reader.curve_revolutions(), reader.cycle_revolutions()
     result = []
     for index in places:

@@ -1,4 +1,4 @@
-"""The figures of a report: measured solid, model dashed, distinguishable colours."""
+"""Figures of a report: measured solid, model dashed, distinguishable colours."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ DEPTHS: Mapping[str, tuple[Mapping[str, Any], str, str]] = {
         "by the measured forces",
     ),
 }
-"""Depth of wear -> its style, its label, its name in the description."""
+"""Wear depth -> style, label, and name in the description."""
 GAPS_SHOWN = 40  # more would hide the curves
 BAND_WORDS: Text = "Shaded: the expanded uncertainty of a force by the calibration."
 STATED_WORDS: Text = "Shaded: the expanded uncertainty of a value by the calibration."
@@ -89,7 +89,7 @@ def _height(panels: int) -> float:
 
 
 def _panels(canvas: Any, number: int) -> Sequence[Any]:
-    """Return panels below each other over one axis, with room for a title each."""
+    """Return panels below each other with a common axis, each with room for a title."""
     space = {"hspace": BETWEEN_IN / PANEL_IN}
     return tuple(canvas.subplots(number, 1, sharex=True, squeeze=False, gridspec_kw=space)[:, 0])
 
@@ -116,9 +116,9 @@ def trends(
     uncertainty: ForceUncertainty | None = None,
     stated: Stated = MappingProxyType({}),
 ) -> Figure:
-    """Draw maximum, RMS and minimum of channels against revolution, one panel a channel.
+    """Draw maximum, RMS and minimum of channels against revolution, one panel per channel.
 
-    uncertainty, stated: of forces and of other channels; drawn as a band about the largest and the
+    uncertainty, stated: of forces and of other channels; drawn as a band around the largest and the
     smallest value.
     """
     predicted = agreement.lines if agreement is not None else {}
@@ -131,7 +131,7 @@ def trends(
             if uncertainty is not None and channel.unit == "N":
                 for statistic in ("max", "min"):
                     x, values = channel.lines[statistic]
-                    # An error of the angle turns the whole force into a component.
+                    # An error of the angle projects the total force onto a component.
                     force = values if of_force is None else np.interp(x, *of_force)
                     doubt = uncertainty.at(force, of_magnitude=channel.name == "force")
                     _band(axes, x, values, doubt, COLOURS[statistic])
@@ -180,12 +180,12 @@ def trends(
 
 
 def _band(axes: Any, x: Any, values: Any, doubt: Any, colour: str, alpha: float = 0.2) -> None:
-    """Shade an expanded uncertainty about its curve."""
+    """Shade an expanded uncertainty around its curve."""
     axes.fill_between(x, values - doubt, values + doubt, color=colour, alpha=alpha, lw=0)
 
 
 def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:
-    """Keep a start or a pause from flattening the curves; True when something is out of sight."""
+    """Exclude starts and pauses from the range of the axis; return True when values are hidden."""
     if channel.steady is None:
         return False
     low, high = channel.steady
@@ -226,7 +226,7 @@ def residual_trend(agreement: Agreement, gaps: Sequence[Gap]) -> Figure:
 
 
 def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Figure | None:
-    """Draw wear depth against revolution; None when none is known."""
+    """Draw wear depth against revolution; None without known depths."""
     known = [(wear[name], *how) for name, how in DEPTHS.items()]
     if all(last is None for last, *_ in known):
         return None
@@ -265,7 +265,7 @@ def wear_trend(wear: Mapping[str, LastDepth | None], gaps: Sequence[Gap]) -> Fig
 def trip(capture: TripCapture) -> Figure:
     """Draw force, pin, speed and drive current against time, from before a trip to the standstill.
 
-    Time 0 is where the force was read that tripped, or the end of the revolution's record.
+    Time 0 is that of the force which caused the trip, or the end of the revolution's record.
     """
     tripped = capture.trip
     words = tr("revolution {}", grouped(tripped.revolution))
@@ -307,7 +307,7 @@ def trip(capture: TripCapture) -> Figure:
 
 
 def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | None = None) -> Figure:
-    """Draw whole cycles side by side: forces with the model, residual, displacement."""
+    """Draw complete cycles side by side: forces with the model, residual, displacement."""
     force_panel = partial(_force_panel, uncertainty=uncertainty)
     residual_panel = partial(_residual_panel, uncertainty=uncertainty)
     rows: list[tuple[str, Callable[[Any, CyclePicture], None]]] = [(tr("force (N)"), force_panel)]
@@ -325,7 +325,7 @@ def cycles(pictures: Sequence[CyclePicture], uncertainty: ForceUncertainty | Non
 
 
 def free_cycles(pictures: Sequence[CyclePicture], channels: Sequence[Channel]) -> Figure:
-    """Draw whole cycles of free channels side by side, one line of panels a channel."""
+    """Draw complete cycles of free channels side by side, one row of panels per channel."""
 
     def panel(name: str) -> Callable[[Any, CyclePicture], None]:
         def draw(axes: Any, picture: CyclePicture) -> None:
@@ -359,7 +359,7 @@ def _cycle_grid(
     words: str,
     caption: str,
 ) -> Figure:
-    """Draw a column of panels a cycle; rows: label and what draws it. heights: of these, inches."""
+    """Draw a column of panels per cycle; rows: label and drawing function; heights: inches."""
     with canvas_of(0.55 + sum(heights)) as canvas:
         grid = canvas.subplots(
             len(rows), len(pictures), sharex=True, sharey="row", squeeze=False,

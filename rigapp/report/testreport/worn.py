@@ -1,4 +1,4 @@
-"""The worn profile of a test file: facts, section and picture (the paper's Fig. 21)."""
+"""The worn profile of a test file: facts, section and figure (the paper's Fig. 21)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rigapp.storage import TestReader
 Floats = NDArray[np.float64]
 
 STAGES = 4
-"""Earlier profiles that are drawn thinly, evenly spaced in the logarithm of the revolutions."""
+"""Number of earlier profiles drawn as thin lines, spaced evenly in log revolutions."""
 CURVES: dict[str, Words] = {
     "measured": "measured (probes)",
     "predicted": "predicted (model)",
@@ -31,7 +31,7 @@ CURVES: dict[str, Words] = {
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """One profile in numbers: largest depth and where, from where to where, area and mass.
+    """Key figures of a profile: largest depth and its angle, limits of the worn arc, area, mass.
 
     mm, degrees, mm^2, mg; NaN when unknown.
     """
@@ -48,8 +48,8 @@ class Extent:
 class Worn:
     """The newest worn profile, its curves in mm at ``angle`` (deg), and the stages before it.
 
-    centred: whether the probes' zero gave the direction; approach_change, run_out: um; corrected:
-    whether the change of the approach was taken out, as in older files it was not.
+    centred: whether the probes' zero determined the direction; approach_change, run_out: um;
+    corrected: whether the change of the approach was removed, which is not so in older files.
     """
 
     revolution: int
@@ -94,7 +94,7 @@ def worn_of(reader: TestReader) -> Worn | None:
 
 
 def extent_of(angle: Floats, depth: Floats, parameters: Mapping[str, Any]) -> Extent:
-    """Return a profile (mm at deg) in numbers; radius, width and density are in parameters."""
+    """Return the key figures of a profile (mm at deg); parameters: radius, width and density."""
     known = np.isfinite(depth)
     unknown = float("nan")
     if not known.any():
@@ -126,7 +126,7 @@ def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[in
 
 
 def profile_blocks(worn: Worn | None) -> list[Block]:
-    """Return the table, the words and the picture of the worn profile."""
+    """Return table, text and figure of the worn profile."""
     if worn is None:
         return [Text(tr("No worn profile is recorded in the file."))]
     header = (
@@ -181,7 +181,7 @@ def _sentence(worn: Worn) -> str:
 
 
 def picture(worn: Worn) -> Figure:
-    """Draw the worn profile, measured with its uncertainty and by the model."""
+    """Draw the worn profile: measured with its uncertainty, and modelled."""
     with canvas_of(3.0) as canvas:
         axes = canvas.subplots()
         shades = np.linspace(0.78, 0.5, max(len(worn.stages), 1))
@@ -224,7 +224,7 @@ def _depth(extent: Extent) -> str:
 
 
 def _extent(profile: Worn) -> float:
-    """Return the angle, in steps of 30 degrees, up to which there is something to see."""
+    """Return the angle, in steps of 30 degrees, that includes the visible wear."""
     depth = np.fmax.reduce([np.nan_to_num(curve) for curve in profile.curves.values()])
     worn = np.flatnonzero(depth > 0.005 * max(float(depth.max()), 1e-12))
     furthest = float(np.abs(profile.angle[worn]).max(initial=0.0))
