@@ -87,7 +87,7 @@ def _load_cell(line: Line, folder: Path, rig: Path, images: Path, application: A
     with _opened(line, folder, rig, application, settings=settings) as (wizard, pump):
         live = wizard.live
         wizard.next()
-        live.lend_a_hand()
+        live.perform_step()
         pump(wizard.angle.isComplete, "the angle")
         wizard.next()
         live.goes_ahead = True

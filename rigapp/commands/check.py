@@ -160,7 +160,7 @@ def look(records: RigRecords, test: TestFile) -> tuple[Status | None, list[Check
 
 def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check]]:
     from rigapp.engine.engine import Engine
-    from rigapp.service.calibration import kept_calibration
+    from rigapp.service.calibration import stored_calibration
     from rigapp.service.simulated import SimulatedDevices, parse_speed
 
     simulated = SimulatedDevices(records.rig, parse_speed(None, records.rig))
@@ -173,7 +173,7 @@ def _look_alone(records: RigRecords, test: TestFile) -> tuple[Status, list[Check
             deadline = time.monotonic() + FIRST_DATA_S
             while not engine.status().rig.channels and time.monotonic() < deadline:
                 time.sleep(0.05)
-            kept = kept_calibration(records.rig.path)
+            kept = stored_calibration(records.rig.path)
             calibration = kept.shown if kept is not None else None
             status = engine.status()
             occupied = msgspec.structs.replace(status.engine, calibration=calibration)

@@ -362,10 +362,10 @@ def can_interfaces(folder: Path = NETWORKS) -> Iterator[Observation]:
                 f"sudo ip link set {name} up type can bitrate 500000",
             )
         else:
-            yield _heard(name)
+            yield _can_nodes(name)
 
 
-def _heard(name: str) -> Observation:
+def _can_nodes(name: str) -> Observation:
     from rigapp_drivers.api import DeviceError
     from rigapp_drivers.cia402.probe import listen, node_words
 

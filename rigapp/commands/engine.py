@@ -39,7 +39,7 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
     with termination_signals() as signals:
         Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
         if stay:
-            host.tell_of_cut_off_test()
+            host.warn_of_cut_off_test()
         unused_since = time.monotonic()
         while not host.ended.is_set() and not signals:
             notice = host.notices.get(0.2)

@@ -154,7 +154,7 @@ def refusal(key: str, value: Any, allowed: Range | None = None, unit: str | None
         key,
         _shown(value),
         allowed.words(unit),
-        _meant(value, allowed, unit),
+        _suggestion(value, allowed, unit),
     )
 
 
@@ -196,7 +196,7 @@ def _shown(value: float) -> str:
         return say("a number of {} digits", len(str(abs(value))))
 
 
-def _meant(value: float, allowed: Range, unit: str) -> str:
+def _suggestion(value: float, allowed: Range, unit: str) -> str:
     for other, factor, offset in MISTAKEN.get(unit, ()):
         try:
             converted = value * factor + offset

@@ -16,11 +16,11 @@ from rigapp.texts import say
 
 LARGEST_BYTES = 16 << 20  # far more than a file written by hand
 PATIENCE_S = 5.0  # a hanging network folder answers later or never
-HANGING_READS = 8
+MAX_HANGING_READS = 8
 """Maximum number of hanging reads, as of a folder that does not answer; more are refused."""
 
 _PIECE = 1 << 16
-_hanging = threading.BoundedSemaphore(HANGING_READS)
+_hanging = threading.BoundedSemaphore(MAX_HANGING_READS)
 
 
 def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
@@ -41,7 +41,7 @@ def read_bytes(path: Path, largest: int = LARGEST_BYTES) -> bytes:
             _hanging.release()
 
     if not _hanging.acquire(timeout=PATIENCE_S):
-        raise UnusableInput("{}: cannot be read now, {} other files hang.", path, HANGING_READS)
+        raise UnusableInput("{}: cannot be read now, {} other files hang.", path, MAX_HANGING_READS)
     thread = threading.Thread(target=run, name="read file", daemon=True)
     thread.start()
     thread.join(2.0 * PATIENCE_S)
@@ -89,7 +89,7 @@ def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
     data = bytearray()
     while len(data) <= largest:
         left = deadline - time.monotonic()
-        if pipe and (left <= 0.0 or not _something_comes(descriptor, left)):
+        if pipe and (left <= 0.0 or not _wait_for_data(descriptor, left)):
             raise UnusableInput(
                 "{}: is a pipe without data for {:g} s; name a file.",
                 path,
@@ -104,7 +104,7 @@ def _all_of(path: Path, descriptor: int, largest: int, *, pipe: bool) -> bytes:
     )
 
 
-def _something_comes(descriptor: int, seconds: float) -> bool:
+def _wait_for_data(descriptor: int, seconds: float) -> bool:
     """Wait for bytes or the end of a pipe; a pipe without a writer provides neither."""
     if sys.platform == "win32":  # where pipes have no file names
         return True

@@ -92,7 +92,7 @@ class Sequence:
         return min(self._speed(step) for step in self._steps)
 
     @property
-    def gentlest_rpm_per_s(self) -> float:
+    def lowest_acceleration_rpm_per_s(self) -> float:
         """Return the acceleration of the longest ramp."""
         return min(self._ramp(step) for step in self._steps)
 

@@ -12,7 +12,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.schema.wire import tree_of
 from rigapp.texts import Sentence, say
 
-DEEPEST: Final = 32
+MAX_DEPTH: Final = 32
 """Maximum depth of nested tables and key parts; no file of this program has more than five."""
 
 _TEXTS: Final = re.compile(
@@ -23,12 +23,12 @@ _TEXTS: Final = re.compile(
 def toml_tree(text: str, where: str | Path) -> dict[str, Any]:
     """Return TOML as nested tables; raises UnusableInput naming the source ``where``."""
     depth = _depth(text)
-    if depth > DEEPEST:
+    if depth > MAX_DEPTH:
         raise UnusableInput(
             "{}: nesting is {} levels deep; the maximum is {}. Check the brackets and the dots.",
             where,
             depth,
-            DEEPEST,
+            MAX_DEPTH,
         )
     try:
         tree: dict[str, Any] = msgspec.toml.decode(text)

@@ -172,7 +172,7 @@ class Supervisor:
         elif connection.rig.control.ramp_unanswered:
             self._help("power off", partial(connection.rig.control.stop_now, True))
         steps = test.sequence
-        ramp = 1.5 * steps.fastest_rpm / steps.gentlest_rpm_per_s * connection.rig.slow()
+        ramp = 1.5 * steps.fastest_rpm / steps.lowest_acceleration_rpm_per_s * connection.rig.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
         longest += connection.rig.control.approach_s
         if not test.reached_standstill and time.monotonic() - test.stopping_since > longest:

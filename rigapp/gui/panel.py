@@ -15,7 +15,7 @@ from typing import Any, Protocol, TypeVar, runtime_checkable
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.look.preferences import Preferences
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.presentation.tokens import Theme
 from rigapp.presentation.translation import Text
 from rigapp.viewer.knownwear import WearReader
@@ -104,7 +104,7 @@ class Host:
     """
 
     theme: Theme
-    results: ResultShelf
+    results: ResultsIndex
     worker: TaskWorker
     stalls: StallCounter
     ask: Callable[[str, dict[str, Any]], None]

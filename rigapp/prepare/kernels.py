@@ -24,7 +24,7 @@ COMPILERS = ("numba", "rigapp_model.compiled")
 NO_KERNELS = ("rigapp_model.compiled", "rigapp.prepare.kernels")
 """Modules that only handle kernels of other modules."""
 
-WORTH_TELLING_S = 1.0  # loading from the cache takes less
+REPORT_AFTER_S = 1.0  # loading from the cache takes less
 CACHED = (".nbi", ".nbc")
 
 
@@ -102,7 +102,7 @@ def compile_kernels() -> None:
             print(f"\r{line:<70}", end="", flush=True)
         modules.append(importlib.import_module(name))
         took = time.perf_counter() - begin
-        if took > WORTH_TELLING_S:
+        if took > REPORT_AFTER_S:
             print(f"\r{line:<70} {took:.0f} s" if terminal else f"{line} {took:.0f} s", flush=True)
     if terminal and names:
         print(f"\r{'Kernels are compiled.':<70}")

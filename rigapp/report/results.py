@@ -72,7 +72,7 @@ def result_of_open(
     if not result.revolutions:
         return result
     result = _compared(result, test)
-    return _looked_at_closely(result, test) if closely else result
+    return _with_details(result, test) if closely else result
 
 
 def _described(known: TestResult, test: TestReader) -> TestResult:
@@ -127,9 +127,9 @@ def _measured(result: TestResult, test: TestReader) -> TestResult:
 
 def _compared(result: TestResult, test: TestReader) -> TestResult:
     until = plausible_until(test)
-    believed = None if until is None else rows_up_to(test, until, "prediction")
+    plausible = None if until is None else rows_up_to(test, until, "prediction")
     middle, low, high = (
-        _newest(test, f"wear_coefficient{end}", stop=believed) for end in ("", "_low", "_high")
+        _newest(test, f"wear_coefficient{end}", stop=plausible) for end in ("", "_low", "_high")
     )
     depth, both = "measured_wear_depth", ("measured_wear_depth", "wear_depth")
     residual_rms, worst = _residual(test)
@@ -195,7 +195,7 @@ def _line(test: TestReader, name: str) -> tuple[float, ...]:
     return tuple(means)
 
 
-def _looked_at_closely(result: TestResult, test: TestReader) -> TestResult:
+def _with_details(result: TestResult, test: TestReader) -> TestResult:
     from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
     stated = force_uncertainty(test.calibration(), test.configuration())

@@ -46,7 +46,7 @@ def parse_arguments(verb: Verb, arguments: Mapping[str, Any]) -> Any:
     assert isinstance(kind, inspect.StructType)
     for field in kind.fields:
         if field.name in arguments:
-            _judge(verb.name, field, arguments[field.name])
+            _check_value(verb.name, field, arguments[field.name])
         elif field.required:
             raise Refused("{} needs {}", repr(verb.name), repr(field.name))
     try:
@@ -68,7 +68,7 @@ def refusal(words: str, identifier: int = 0) -> Reply:
     return Reply(ok=False, sentence=sentence, identifier=identifier)
 
 
-def _judge(verb: str, field: inspect.Field, value: Any) -> None:
+def _check_value(verb: str, field: inspect.Field, value: Any) -> None:
     """Refuse the value of an argument, with a specific sentence where there is one."""
     kind, title, key = field.type, field.name, ""
     if isinstance(kind, inspect.Metadata):

@@ -51,7 +51,7 @@ class RigCalibration:
         """Continue a stored calibration of a rig file; None: a rig that ends with its engine."""
         self._rig, self._log = rig, log_line
         self._lock = threading.Lock()
-        self._held = kept_calibration(rig) if rig is not None else None
+        self._held = stored_calibration(rig) if rig is not None else None
 
     @property
     def shown(self) -> OpenCalibration | None:
@@ -67,7 +67,7 @@ class RigCalibration:
             shown = OpenCalibration(what, operator, round(time.time(), 3))
             self._held = HeldCalibration(shown, uuid.uuid4().hex, fastest_rpm, request.client)
             key = self._held.key
-            self._keep()
+            self._store()
         self._log(say("the calibration begins: {}", what), operator)
         return {"key": key, "since": shown.since}
 
@@ -78,7 +78,7 @@ class RigCalibration:
             if held is None or held.key != key:
                 raise Refused("this calibration was ended already")
             self._held = None
-            self._keep()
+            self._store()
         self._log(
             say("the calibration is over: {}", held.shown.what), request.operator or held.shown.who
         )
@@ -92,12 +92,12 @@ class RigCalibration:
             if since and since != held.shown.since:
                 raise Refused("another calibration is open: {}", _words(held.shown))
             self._held = None
-            self._keep()
+            self._store()
         why = say(": {}", reason.strip()) if reason.strip() else ""
         self._log(say("ended the calibration of {}, {}{}", held.shown.who, held.shown.what, why),
                   request.operator.strip() or "somebody")  # fmt: skip
 
-    def judge(self, key: str = "", rpm: float = 0.0) -> None:
+    def check(self, key: str = "", rpm: float = 0.0) -> None:
         """Raise Occupied where a test may not start; rpm: its fastest speed, key: the holder's."""
         held = self._held
         if held is None or held.key != key:
@@ -109,7 +109,7 @@ class RigCalibration:
                 rpm,
             )
 
-    def judge_viewer(self, client: str) -> None:
+    def check_viewer(self, client: str) -> None:
         """Raise Occupied where another viewer calibrates."""
         held = self._held
         if held is None or not client or held.client != client:
@@ -119,7 +119,7 @@ class RigCalibration:
         if self._held is not None:
             raise Occupied(occupied_words(self._held.shown))
 
-    def _keep(self) -> None:
+    def _store(self) -> None:
         """Store the calibration for the next engine; a failure does not stop it."""
         if self._rig is None:
             return
@@ -134,7 +134,7 @@ class RigCalibration:
             log.warning("the open calibration is not kept for another engine: %s", error)
 
 
-def kept_calibration(rig: Path) -> HeldCalibration | None:
+def stored_calibration(rig: Path) -> HeldCalibration | None:
     """Return the stored open calibration of a rig, None without one."""
     try:
         text = read_own(kept_of(rig, "calibrations"))
@@ -143,7 +143,7 @@ def kept_calibration(rig: Path) -> HeldCalibration | None:
         return None
 
 
-def forget_calibration(rig: Path) -> None:
+def delete_calibration(rig: Path) -> None:
     """Delete the stored open calibration of a rig, while no engine runs."""
     kept_of(rig, "calibrations").unlink(missing_ok=True)
 

@@ -1,6 +1,6 @@
 """The client of a running engine: requests with a time-out, and a stream of snapshots.
 
-A client that has control sends a heartbeat every ``PRESENT_S`` from a separate thread, until it
+A client that has control sends a heartbeat every ``HEARTBEAT_S`` from a separate thread, until it
 releases control, loses it or is closed.
 """
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 SNAPSHOT_QUEUE = 64  # three seconds of a busy window
 NEWEST = ("cycle", "prediction", "profile")
 """Fields of which only the newest value is kept."""
-PRESENT_S = 2.0  # short enough that one lost heartbeat does not release control
+HEARTBEAT_S = 2.0  # short enough that one lost heartbeat does not release control
 
 
 class EngineUnreachable(SentenceError):
@@ -120,7 +120,7 @@ class Client:
             shown = Status.of_tree(reply.result).shown().engine.state
             reply = msgspec.structs.replace(reply, result={**reply.result, "state": shown})
         if verb == "take_command" and reply.ok:
-            self._stay_present()
+            self._start_heartbeat()
         if verb == "release_command" and reply.ok:
             self._leave.set()
         return reply
@@ -182,7 +182,7 @@ class Client:
         self._closed = True
         self._leave.set()
         if self._presence is not None and self._presence is not threading.current_thread():
-            self._presence.join(timeout=2.0 * PRESENT_S)
+            self._presence.join(timeout=2.0 * HEARTBEAT_S)
         self._stream.close()
         self._context.destroy(linger=0)
 
@@ -201,7 +201,7 @@ class Client:
             lasting_folder() / "keys" / "viewer.key",
         )
 
-    def _stay_present(self) -> None:
+    def _start_heartbeat(self) -> None:
         with self._lock:
             if (
                 self._presence is not None
@@ -211,12 +211,12 @@ class Client:
                 return
             self._leave = threading.Event()
             self._presence = threading.Thread(
-                target=self._be_present, args=(self._leave,), name="in-command", daemon=True
+                target=self._send_heartbeats, args=(self._leave,), name="in-command", daemon=True
             )
             self._presence.start()
 
-    def _be_present(self, leave: threading.Event) -> None:
-        while not leave.wait(PRESENT_S):
+    def _send_heartbeats(self, leave: threading.Event) -> None:
+        while not leave.wait(HEARTBEAT_S):
             with suppress(EngineUnreachable):
                 reply = self._request("present", None, verb_of("present").timeout_s)
                 if reply.ok and not reply.result["in_command"]:

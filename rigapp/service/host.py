@@ -53,7 +53,7 @@ from rigapp.service.bugreport import BugReports
 from rigapp.service.calibration import RigCalibration
 from rigapp.service.pins import PinCheck
 from rigapp.service.recorded import (
-    bushing_left,
+    bushing_state,
     checkpoint,
     complete_test,
     cut_off,
@@ -238,14 +238,14 @@ class EngineHost:
         calibration: key of the open calibration to which the test belongs.
         """
         with self.starting:
-            self.calibration.judge(calibration, Sequence(test.record.run).fastest_rpm)
+            self.calibration.check(calibration, Sequence(test.record.run).fastest_rpm)
             notes = self._latest_records(operator)
             refuse_blocked(record_checks(self.records))
             check_fit(self.records.rig.record, test)
             past = read_past(out) if resume else None
-            self._go_on()
+            self._refuse_cancelled()
             self._make_ready(test.record)
-            self._go_on()
+            self._refuse_cancelled()
             refuse_blocked(drive_checks(self.engine.status()))
             notes += [
                 LogEntry("calibration", say("{}: {}", section, words), operator)
@@ -268,15 +268,15 @@ class EngineHost:
                         "the file states no wear depth: the simulated rig has an unworn bushing"
                     )
                     notes.append(LogEntry("resumed", words, operator))
-                self._take_up(past)
+                self._restore_tare(past)
             self._start_twin(test.record, out, past, worn)
-            self._go_on()
+            self._refuse_cancelled()
             self._keep_log(out)
             self.engine.start(test, out, operator=operator, resume=resume, remarks=notes, worn=worn)
             self.engine.warn("cut_off", "")
             remember(self._rig.path, out, specimen)
 
-    def tell_of_cut_off_test(self) -> None:
+    def warn_of_cut_off_test(self) -> None:
         """Raise an alarm if the last test of this rig was cut off, without moving anything."""
         self.engine.warn("cut_off", cut_off(self._rig.path))
 
@@ -284,7 +284,7 @@ class EngineHost:
         """Prevent further starts and cancel a running one, which raises Refused."""
         self._cancelled = why
 
-    def _go_on(self) -> None:
+    def _refuse_cancelled(self) -> None:
         if self._cancelled:
             raise Refused(self._cancelled)
 
@@ -296,7 +296,7 @@ class EngineHost:
     def resumption(self, path: Path) -> Resumption:
         """Connect if necessary and return the findings for resuming the test of a file."""
         with self.starting:
-            self.calibration.judge()  # a simulated rig may be restarted for the test
+            self.calibration.check()  # a simulated rig may be restarted for the test
             self._latest_records("")
             past = read_past(path)
             test = recorded_test(path).record
@@ -376,7 +376,7 @@ class EngineHost:
             self.records.blocking,
         )
 
-    def _take_up(self, past: Past) -> None:
+    def _restore_tare(self, past: Past) -> None:
         """Restore the tare of the test."""
         tare = stored_tare(past)
         if tare is not None and not self.engine.rest().calibration.load_cell.tare.any():
@@ -414,7 +414,7 @@ class EngineHost:
                     setup, new_position_um=past.new_position_um, checkpoint=checkpoint(file)
                 )
             elif worn is not None:
-                left, model = bushing_left(Path(worn.file))
+                left, model = bushing_state(Path(worn.file))
                 same_model = model == (test.model, test.prediction.joint)
                 setup = msgspec.structs.replace(
                     setup, checkpoint=left, new_test=True, same_model=same_model
@@ -465,7 +465,7 @@ class EngineHost:
 
     def _begin_queued(self, test: Path, file: Path, operator: str) -> Finished | None:
         """Start a test of the queue; where its file exists, resume or end it."""
-        self.calibration.judge()
+        self.calibration.check()
         if not file.exists():
             file.parent.mkdir(parents=True, exist_ok=True)
             self.start(read_test(test), file, operator, resume=False)

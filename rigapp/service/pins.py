@@ -27,7 +27,7 @@ from rigapp.texts import say
 COST, BLOCK, LANES = 2**14, 8, 1
 """Parameters of a hash: 16 MB and about 50 ms, as RFC 7914 proposes for a login."""
 SALT_BYTES, HASH_BYTES = 16, 32
-FEWEST: Final = 4
+MIN_PIN_LENGTH: Final = 4
 """Minimum number of characters of a PIN."""
 FREE_TRIES, LONGEST_WAIT_S = 3, 300.0
 """Consecutive wrong PINs before the first wait, which doubles with each further one; its
@@ -72,8 +72,8 @@ def set_pin(file: Path, name: str, pin: str, by_pin: str) -> None:
     pins = dict(pins_in(file))
     if not name.strip():
         raise UnusableInput("An operator needs a name.")
-    if len(pin) < FEWEST:
-        raise UnusableInput("A PIN has {} characters at least.", FEWEST)
+    if len(pin) < MIN_PIN_LENGTH:
+        raise UnusableInput("A PIN has {} characters at least.", MIN_PIN_LENGTH)
     if pins and not any(fits(by_pin, kept) for kept in pins.values()):
         raise UnusableInput("The PIN of an operator who has one is needed, too.")
     pins[name.strip()] = hashed(pin)
@@ -94,7 +94,7 @@ class PinCheck:
         """Return whether changes of limits need a PIN."""
         return self._file is not None
 
-    def judge(self, operator: str, pin: str) -> None:
+    def check(self, operator: str, pin: str) -> None:
         """Raise Refused for a wrong PIN of the operator, UnusableInput for a broken file."""
         if self._file is None:
             return

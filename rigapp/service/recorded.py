@@ -88,7 +88,7 @@ def checkpoint(path: Path) -> bytes:
         return reader.checkpoint()
 
 
-def bushing_left(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
+def bushing_state(path: Path) -> tuple[bytes, tuple[ParameterFile, str] | None]:
     """Return the twin's checkpoint of an ended test, and its model and technique.
 
     The latter are None where the file is unreadable or the checkpoint contains rejected readings.

@@ -46,7 +46,7 @@ from rigapp_drivers.api import DeviceError
 # Control is optional: until a viewer takes it, every viewer may send any request. Afterwards
 # requests of others that change something are refused, except safety verbs.
 
-GONE_AFTER_S = 10.0
+CONTROL_TIMEOUT_S = 10.0
 """Time without a message of the holder after which control is released."""
 
 ASLEEP_S = 2.0
@@ -75,7 +75,7 @@ class ControlLock:
         self._clock = clock
         self._lock = threading.Lock()
         self._holder: Holder | None = None
-        self._heard = self._looked = clock()
+        self._last_message = self._last_check = clock()
 
     @property
     def holder(self) -> str:
@@ -87,25 +87,25 @@ class ControlLock:
         """Release control if its holder is lost; to be called several times a second."""
         with self._lock:
             now = self._clock()
-            if now - self._looked > ASLEEP_S:
-                self._heard += now - self._looked
-            self._looked = now
+            if now - self._last_check > ASLEEP_S:
+                self._last_message += now - self._last_check
+            self._last_check = now
             holder = self._holder
-            silence = now - self._heard
-            if holder is None or silence <= GONE_AFTER_S:
+            silence = now - self._last_message
+            if holder is None or silence <= CONTROL_TIMEOUT_S:
                 return
             self._holder = None
         text = say("control released: no message from {} for {:.0f} s", holder.name, silence)
         self._log(text, "engine", holder.name, "")
 
-    def judge(self, request: Request) -> None:
+    def check(self, request: Request) -> None:
         """Raise Refused when the request needs control and another viewer holds it."""
         with self._lock:
             holder = self._holder
             if holder is None:
                 return
             if request.client == holder.client:
-                self._heard = self._clock()
+                self._last_message = self._clock()
                 return
         if verb_of(request.verb).who is Who.ANYONE:
             return
@@ -130,7 +130,7 @@ class ControlLock:
                     former.name,
                 )
             self._holder = taker
-            self._heard = self._clock()
+            self._last_message = self._clock()
         if not same:
             before = former.name if former is not None else ""
             text = say("took control") + (say(" by force from {}", before) if before else "")
@@ -149,7 +149,7 @@ class ControlLock:
         self._log(say("released control"), holder.name, holder.name, "")
 
     def present(self, request: Request) -> dict[str, bool]:
-        """Return whether the sender still has control (``judge`` has recorded the heartbeat)."""
+        """Return whether the sender still has control (``check`` has recorded the heartbeat)."""
         holder = self._holder
         return {"in_command": holder is not None and holder.client == request.client}
 
@@ -159,7 +159,7 @@ log = logging.getLogger(__name__)
 EXPECTED = (UnusableInput, Refused, DeviceError, SimulationFailed, TimeoutError)
 """Errors that are reported to the requester as a sentence, not as a defect."""
 
-HAND_LOOKS = 3
+ACTION_READINGS = 3
 """Number of readings of both counts before an action: at least one of three is not delayed."""
 
 
@@ -185,7 +185,7 @@ class RequestHandler:
             known = joined(", ", sorted(VERBS))
             return refusal(say("There is no command {}: {}.", repr(request.verb), known))
         try:
-            self._host.command.judge(request)
+            self._host.command.check(request)
             result = self._verbs[verb.name](parse_arguments(verb, request.arguments), request)
         except EXPECTED as error:
             return refusal(sentence_of_error(error))
@@ -241,18 +241,18 @@ class RequestHandler:
         }
 
     def _extend_request(self, requested: Extend, by: Request) -> None:
-        self._host.pins.judge(by.operator, requested.pin)
+        self._host.pins.check(by.operator, requested.pin)
         self._host.engine.extend(requested.revolutions, by.operator, requested.reason)
 
     def _limit_request(self, requested: SetLimit, by: Request) -> None:
-        self._host.pins.judge(by.operator, requested.pin)
+        self._host.pins.check(by.operator, requested.pin)
         self._host.engine.set_limit(requested.name, requested.value, by.operator, requested.reason)
 
     def _hand_request(self, requested: Hand, by: Request) -> dict[str, int]:
         """Execute an action of the simulated operator; return the first device sample after it."""
         simulated, behind = self._host.simulated, self._host.behind
         process = simulated.process
-        for _ in range(HAND_LOOKS):
+        for _ in range(ACTION_READINGS):
             behind.note(self._host.engine.samples_processed, int(process.state()["samples"]))
         simulated.hand(requested.what, requested.details)
         return {"after_sample": behind.processed_at(int(process.state()["samples"]))}
@@ -263,11 +263,11 @@ class RequestHandler:
         return Reply(ok=True, sentence=say("The lines of {} are recorded.", devices))
 
     def _resume_paused(self, requested: Nothing, by: Request) -> None:
-        self._host.calibration.judge_viewer(by.client)
+        self._host.calibration.check_viewer(by.client)
         self._host.engine.resume(by.operator)
 
     def _zero_request(self, requested: Zero, by: Request) -> Any:
-        self._host.calibration.judge()  # the zero would include a weight on the pin
+        self._host.calibration.check()  # the zero would include a weight on the pin
         return self._host.engine.zero(requested.what, by.operator, requested.reason)
 
     def _begin_calibration(self, requested: BeginCalibration, by: Request) -> Any:
@@ -312,7 +312,7 @@ class RequestHandler:
         )
 
     def _resume_request(self, requested: Resume, by: Request) -> Reply | None:
-        self._host.calibration.judge()
+        self._host.calibration.check()
         path = Path(requested.file)
         ended = end_whole_test(path)
         if ended is not None:

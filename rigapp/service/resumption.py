@@ -197,8 +197,8 @@ def wear_of(reader: TestReader) -> SpecimenWear | None:
         worn = specimen_wear(event) or worn
     rows, until = reader.committed(), plausible_until(reader)
     names = ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
-    believed = None if until is None else rows_up_to(reader, until, "prediction")
-    table = newest_known(reader, names, FITTED, believed)
+    stop = None if until is None else rows_up_to(reader, until, "prediction")
+    table = newest_known(reader, names, FITTED, stop)
     number, depth, doubt = (table[name].astype(float) for name in names)
     if not (rows and number.size):
         return worn

@@ -47,15 +47,15 @@ class RigQueue:
         """Continue the stored queue; an unusable one is reported but stops no test."""
         self.store = QueueStore(kept_of(rig, "queues"), rig)
         self._worker = QueueWorker(self.store, hands)
-        self._tell = hands.tell
+        self._report = hands.tell
         self._ends = ends
         self._unnoted: Finished | None = None
-        self._thread = Worker("queue", self._heed, self._died, SILENCE_S)
+        self._thread = Worker("queue", self._record_end, self._thread_failed, SILENCE_S)
         self.start, self.stop, self.view = self._worker.start, self._worker.stop, self._worker.view
         try:
             self._worker.take_up()
         except UnusableInput as error:
-            self._tell(sentence_of_error(error))
+            self._report(sentence_of_error(error))
         self._thread.start()
 
     def halt(self) -> None:
@@ -69,32 +69,32 @@ class RigQueue:
             log.warning("the queue did not end within %g s", END_S)
             return
         try:
-            while self._unnoted is not None or self._heard(0.0):
+            while self._unnoted is not None or self._record_notice(0.0):
                 if self._unnoted is not None:
                     self._worker.note(self._unnoted)
                 self._unnoted = None
         except UnusableInput as error:
             log.warning("how the last test ended is not noted in the queue: %s", error)
 
-    def _heard(self, wait_s: float) -> bool:
+    def _record_notice(self, wait_s: float) -> bool:
         """Process the next notice; return whether there was one."""
         notice = self._ends.get(wait_s)
         if isinstance(notice, Finished):
             self._unnoted = notice
         return notice is not None
 
-    def _heed(self) -> None:
+    def _record_end(self) -> None:
         if self._unnoted is None:
-            self._heard(LOOK_S)
+            self._record_notice(LOOK_S)
         if self._unnoted is None or self._thread.halting:
             return
         try:
             self._worker.finished(self._unnoted)
         except UnusableInput as error:
-            self._tell(sentence_of_error(error))
+            self._report(sentence_of_error(error))
             self._thread.pause(TRY_AGAIN_S)
         else:
             self._unnoted = None
 
-    def _died(self, worker: Worker, error: BaseException) -> None:
-        self._tell(say("The queue failed ‹{}›.", repr(error)))
+    def _thread_failed(self, worker: Worker, error: BaseException) -> None:
+        self._report(say("The queue failed ‹{}›.", repr(error)))

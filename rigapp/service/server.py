@@ -158,7 +158,7 @@ VIEWERS = 64
 """Maximum number of viewers of snapshots; a rig has a few windows and a page."""
 PUBLISH_PERIOD_S = 0.05  # smooth live values
 MEMORY_PERIOD_S = 0.05  # a sender on this computer fills 30 MB meanwhile
-HASTE_S = 0.1
+EARLY_PERIOD_S = 0.1
 """Period in which two snapshots are sent early: of a revolution that has just ended, and of its
 prediction. A real rig is slower; a faster simulated one is limited by this period."""
 POLL_MS = 10  # latest delay of a request
@@ -318,7 +318,7 @@ class Server:
             poller = zmq.Poller()
             poller.register(self._router, zmq.POLLIN)
             poller.register(self._publisher, zmq.POLLIN)
-            clock, haste = _Period(PUBLISH_PERIOD_S), _Haste(HASTE_S)
+            clock, haste = _Period(PUBLISH_PERIOD_S), _RateLimit(EARLY_PERIOD_S)
             watch = _Period(MEMORY_PERIOD_S)
             while not self._stop.is_set():
                 ready = dict(poller.poll(POLL_MS))
@@ -443,7 +443,7 @@ class _Period:
         return True
 
 
-class _Haste:
+class _RateLimit:
     """Limit an action to two in a period."""
 
     def __init__(self, seconds: float) -> None:

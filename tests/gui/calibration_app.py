@@ -49,7 +49,7 @@ def hang_weights(window: MainWindow) -> None:
     wizard = window.guide.wizard
     until(wizard.plan.isVisible, "the plan")
     wizard.next()
-    wizard.live.lend_a_hand()
+    wizard.live.perform_step()
     until(wizard.angle.isComplete, "the angle")
     wizard.next()
     wizard.live.goes_ahead = True

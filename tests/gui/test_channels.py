@@ -174,7 +174,7 @@ def test_a_limit_on_a_free_channel_is_offered_and_changed(
     box = rules.rows[0].quantity
     box.setCurrentIndex(box.findData("bushing_temperature_max"))
     assert box.currentText() == "maximum bushing temperature"
-    assert rules.judge(None) == (
+    assert rules.validate(None) == (
         [{"quantity": "bushing_temperature_max", "warning_above": 150.0}],
         0,
     )

@@ -44,7 +44,7 @@ class SharedEngine:
             "present": self.command.present,
         }
         try:
-            self.command.judge(request)
+            self.command.check(request)
             if request.verb in verbs:
                 return Reply(ok=True, result=verbs[request.verb](request))
         except Refused as error:

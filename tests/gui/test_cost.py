@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.panels.results import ShelfPump
+from rigapp.gui.panels.results import ResultsPump
 from rigapp.gui.plots.curves import ShadedBand, Trace, clear
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.window import places
 from rigapp.gui.window.places import PageBar, PageName, RailPlace
 from rigapp.process.memory import begin_to_load, end_of_loading
@@ -140,8 +140,8 @@ def test_pages_that_stay_are_not_laid_out_again(
 def test_a_shelf_that_reads_nothing_is_looked_at_seldom(qtbot: Any, tmp_path: Path) -> None:
     worker, parent = TaskWorker("test-shelf"), QWidget()
     qtbot.addWidget(parent)
-    shelf = ResultShelf(tmp_path, worker)
-    pump = ShelfPump(shelf, lambda: None, parent)
+    shelf = ResultsIndex(tmp_path, worker)
+    pump = ResultsPump(shelf, lambda: None, parent)
     soon = pump.interval()
     pump.pump()
     seldom = pump.interval()

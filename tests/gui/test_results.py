@@ -20,7 +20,7 @@ from rigapp.gui.panel import Act
 from rigapp.gui.panels.results import ResultsPanel
 from rigapp.gui.results.documents import KINDS, DocumentPanel
 from rigapp.gui.results.resultcard import SHAPES, ResultCard, colour_of
-from rigapp.gui.results.results_index import ResultReader, ResultShelf
+from rigapp.gui.results.results_index import ResultReader, ResultsIndex
 from rigapp.gui.results.resulttable import TITLES
 from rigapp.gui.window.side import connection_steps
 from rigapp.gui.window.tabs import NUMBERS
@@ -106,10 +106,10 @@ def test_a_card_says_what_is_not_known_and_what_to_bear_in_mind() -> None:
 
 
 @pytest.fixture
-def shelf(tmp_path: Path) -> Iterator[ResultShelf]:
+def shelf(tmp_path: Path) -> Iterator[ResultsIndex]:
     """Return the shelf of the folder."""
     worker = TaskWorker("test-files")
-    made = ResultShelf(tmp_path, worker)
+    made = ResultsIndex(tmp_path, worker)
     made.worker_of_test = worker  # type: ignore[attr-defined]
     yield made
     made.close()
@@ -118,7 +118,7 @@ def shelf(tmp_path: Path) -> Iterator[ResultShelf]:
 
 @pytest.fixture
 def panel(
-    folder: Path, shelf: ResultShelf, qtbot: Any, light_application: Any
+    folder: Path, shelf: ResultsIndex, qtbot: Any, light_application: Any
 ) -> Iterator[tuple[ResultsPanel, list[list[str]]]]:
     """Return the page of the results, everything read, and what it has launched."""
     launched: list[list[str]] = []
@@ -296,10 +296,10 @@ def test_a_reader_that_is_left_alone_ends_quietly(recorded: Path, monkeypatch: A
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Read a single file here, not in a process: its answer is there when it is asked for."""
 
-    def ask(self: ResultShelf, path: Path, done: Callable[[TestResult], None]) -> None:
+    def ask(self: ResultsIndex, path: Path, done: Callable[[TestResult], None]) -> None:
         done(result_of(path))
 
-    monkeypatch.setattr(ResultShelf, "ask", ask)
+    monkeypatch.setattr(ResultsIndex, "ask", ask)
 
 
 @pytest.mark.usefixtures("at_once")

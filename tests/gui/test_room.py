@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from rigapp.gui.language import speak_language
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.window.tabs import NUMBERS
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import THEMES
@@ -29,7 +29,7 @@ def _english_afterwards(qapp: Any) -> Iterator[None]:
 @pytest.fixture(autouse=True)
 def _unread(monkeypatch: pytest.MonkeyPatch) -> None:
     """Start no process to read a test's result each time that one ends: its page is not seen."""
-    monkeypatch.setattr(ResultShelf, "ask", lambda *_: None)
+    monkeypatch.setattr(ResultsIndex, "ask", lambda *_: None)
 
 
 def tripped() -> dict[str, Any]:

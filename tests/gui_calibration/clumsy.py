@@ -6,10 +6,10 @@ from enum import StrEnum
 from typing import Any
 
 from rigapp.commands.live.engine_line import Ask
-from rigapp.commands.live.terminal import SimulatedHands
+from rigapp.commands.live.terminal import SimulatedActions
 
 
-class ClumsyHands(SimulatedHands):
+class ClumsyHands(SimulatedActions):
     """Do what a practice says, with a mistake from the step ``since`` on, or at that one only."""
 
     def __init__(

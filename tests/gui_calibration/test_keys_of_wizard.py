@@ -55,7 +55,7 @@ def test_the_focus_waits_where_the_next_step_is_taken(
     wizard.next()
     taken = 0
     while not page.isComplete():
-        live.lend_a_hand()
+        live.perform_step()
         looked(wizard, page.record.isEnabled)
         assert shown.focusWidget() is page.record
         before = live.session.procedure.position

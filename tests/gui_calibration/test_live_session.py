@@ -15,7 +15,7 @@ from rigapp.calibrating.journal import Journal
 from rigapp.calibrating.load_cell_session import LoadCellSession, load_cell_plan, parse_pieces
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.training import WeighingMistake
-from rigapp.commands.live.terminal import LISTEN_S, SimulatedHands, Terminal, _keep_check
+from rigapp.commands.live.terminal import LISTEN_S, SimulatedActions, Terminal, _keep_check
 from rigapp.config.calibration_settings import LoadCellFile, load_cell_meaning
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document
@@ -36,10 +36,10 @@ def begin(
 
 
 def finish(
-    session: LoadCellSession, scripted: Any, hands: SimulatedHands | None = None
+    session: LoadCellSession, scripted: Any, hands: SimulatedActions | None = None
 ) -> list[str]:
     said: list[str] = []
-    hands = hands or SimulatedHands(session, scripted.ask)
+    hands = hands or SimulatedActions(session, scripted.ask)
     assert Terminal(session, scripted.ask, lambda _: "", said.append, hands).run()
     return said
 
@@ -86,7 +86,7 @@ def test_the_terminal_goes_one_step_back_and_notes(
     scripted: Any, settings_file: Path, simulated: Rig, tmp_path: Path
 ) -> None:
     session, said = begin(tmp_path / "c.journal", settings_file, simulated), []
-    hands, more = SimulatedHands(session, scripted.ask), ["b", "a wrong piece", "n", "door open"]
+    hands, more = SimulatedActions(session, scripted.ask), ["b", "a wrong piece", "n", "door open"]
 
     def read(prompt: str) -> str:
         if len(session.procedure.taken) == 2 and more:
@@ -109,7 +109,7 @@ def test_exchanged_plugs_are_told_at_the_first_preload(
     scripted.faults.add("swapped_bridges")
     session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
-    hands = SimulatedHands(session, scripted.ask)
+    hands = SimulatedActions(session, scripted.ask)
     while session.procedure.step.kind is not StepKind.PRELOAD:
         hands.do(session)
         session.take(session.window_of(scripted.ask("signals", {})))
@@ -129,7 +129,7 @@ def test_swinging_weight_is_never_recorded(
     session = begin(tmp_path / "c.journal", settings_file, simulated)
     session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
-    hands = SimulatedHands(session, scripted.ask)
+    hands = SimulatedActions(session, scripted.ask)
     while (
         session.procedure.step.value < 10.0 or session.procedure.step.kind is not StepKind.READING
     ):
@@ -221,7 +221,7 @@ def test_every_event_is_in_the_journal_at_once(
     session.look(session.window_of(scripted.ask("signals", {})))
     session.reference(0.0, 0.001)
     for _ in range(4):
-        SimulatedHands(session, scripted.ask).do(session)
+        SimulatedActions(session, scripted.ask).do(session)
         session.take(session.window_of(scripted.ask("signals", {})))
         kinds = [json.loads(line)["event"] for line in path.read_text().splitlines()]
         assert kinds == [event["event"] for event in session.procedure.events]

@@ -90,7 +90,7 @@ def test_each_page_has_one_primary_button_and_what_is_measured_is_large(
         if live.session.procedure.step.value > 20.0:
             break
     live.goes_ahead = False
-    live.lend_a_hand()
+    live.perform_step()
     live.tick()
     felt, wanted = page.measured.value.whole, live.session.expected()
     assert float(felt.removesuffix(" N")) == pytest.approx(wanted, rel=0.05)
@@ -120,7 +120,7 @@ def test_probe_and_spindle_are_measured_and_drawn(qtbot: Any, tmp_path: Path) ->
         if len(live.session.procedure.taken) > 2:
             break
     live.goes_ahead = False
-    live.lend_a_hand()
+    live.perform_step()
     live.tick()
     scene = page.picture.scene
     assert isinstance(scene, ProbeScene)

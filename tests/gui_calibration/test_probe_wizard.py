@@ -199,7 +199,7 @@ def test_typed_position_is_recorded_and_a_moving_one_is_not(
     wizard.plan.fields["which"].setCurrentIndex(0)
     wizard.next()
     live, page = wizard.live, wizard.readings
-    live.lend_a_hand()
+    live.perform_step()
     live.tick()
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     assert "back to -880 µm" in page.instruction.text()

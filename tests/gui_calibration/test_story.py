@@ -91,7 +91,7 @@ def test_wizard_tells_plugs_refuses_wrong_weights_and_a_test_with_its_record_tel
     wizard.show()
     live = wizard.live
     wizard.next()
-    live.lend_a_hand()
+    live.perform_step()
     pump(wizard, line, wizard.angle.isComplete, "the angle", WITHIN_S)
     wizard.next()
     assert wizard.currentPage() is wizard.readings

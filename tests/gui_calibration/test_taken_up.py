@@ -20,7 +20,7 @@ from rigapp.calibrating.rolls import roll_test
 from rigapp.calibrating.session import LiveSession, Rig
 from rigapp.calibrating.spindle import SpindleRun, SpindleRuns
 from rigapp.commands.live.spindle_runs import plain_test, running_test, take_runs
-from rigapp.commands.live.terminal import SimulatedHands, Terminal
+from rigapp.commands.live.terminal import SimulatedActions, Terminal
 from rigapp.config.calibration_settings import LoadCellFile, ProbeFile
 from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_document, read_rig, read_test
@@ -39,7 +39,7 @@ class Killed(BaseException):
     """The program ends here and now: nothing is put in order."""
 
 
-class HandsThatDie(SimulatedHands):
+class HandsThatDie(SimulatedActions):
     """Do some steps, then the program is killed: before a step, or with its work half done."""
 
     def __init__(self, session: AnySession, ask: Any, steps: int, half: bool) -> None:

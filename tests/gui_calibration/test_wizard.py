@@ -156,7 +156,7 @@ def test_record_is_disabled_until_steady_and_counts_by_keyboard(
     qtbot.keyClick(page.record, Qt.Key.Key_Space)
     go_ahead(wizard, lambda: loaded(wizard))
     scripted.faults.add("swinging_weight")
-    live.lend_a_hand()
+    live.perform_step()
     live.tick()
     assert not page.record.isEnabled()
     assert page.stability.word.text() == "NOT STEADY"
@@ -180,7 +180,7 @@ def test_a_wrong_piece_is_told_before_it_is_recorded(wizard: Any) -> None:
     assert page.stability.why.text() == "the load has not changed yet"
     for mistake, word, why in ((1, "CHECK", "than should hang"), (0, "STEADY", "")):
         page.hands.mistake.setCurrentIndex(mistake)
-        live.lend_a_hand()
+        live.perform_step()
         live.tick()
         assert page.stability.word.text() == word
         assert why in page.stability.why.text()

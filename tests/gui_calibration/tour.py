@@ -65,7 +65,7 @@ def ahead(wizard: CalibrationWizard, until: Callable[[], object]) -> None:
     live.goes_ahead = True
     looked(wizard, lambda: until() or wizard.readings.isComplete())
     live.goes_ahead = False
-    live.lend_a_hand()
+    live.perform_step()
     live.tick()
     live.tick()
 

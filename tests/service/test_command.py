@@ -9,7 +9,7 @@ from patience import PATIENCE_S
 
 from rigapp.schema.messages import Reply, Request
 from rigapp.schema.states import Refused
-from rigapp.service.requests import ASLEEP_S, GONE_AFTER_S, ControlLock
+from rigapp.service.requests import ASLEEP_S, CONTROL_TIMEOUT_S, ControlLock
 
 ADA = {"operator": "Ada", "client": "a"}
 BOB = {"operator": "Bob", "client": "b"}
@@ -35,7 +35,7 @@ class Desk:
 
     def ask(self, verb: str, who: dict[str, str], **arguments: object) -> object:
         request = Request(verb, arguments, **who)  # type: ignore[arg-type]
-        self.command.judge(request)
+        self.command.check(request)
         if verb == "take_command":
             return self.command.take(request, force=arguments.get("force") is True)
         verbs = {"release_command": self.command.release, "present": self.command.present}
@@ -103,7 +103,7 @@ def test_command_taken_twice_is_one_event(desk: Desk) -> None:
 
 def test_command_is_free_when_its_holder_is_gone(desk: Desk) -> None:
     desk.ask("take_command", ADA)
-    desk.pass_time(GONE_AFTER_S)
+    desk.pass_time(CONTROL_TIMEOUT_S)
     assert desk.command.holder == "Ada"
     desk.pass_time(1)
     assert desk.command.holder == ""
@@ -115,20 +115,20 @@ def test_command_is_free_when_its_holder_is_gone(desk: Desk) -> None:
 def test_any_request_of_the_holder_shows_that_it_is_there(desk: Desk) -> None:
     desk.ask("take_command", ADA)
     for verb in ("present", "status", "pause"):
-        desk.pass_time(GONE_AFTER_S)
+        desk.pass_time(CONTROL_TIMEOUT_S)
         desk.ask(verb, ADA)
         desk.ask("status", BOB)
-    desk.pass_time(GONE_AFTER_S)
+    desk.pass_time(CONTROL_TIMEOUT_S)
     assert desk.command.holder == "Ada"
 
 
 def test_own_sleep_is_not_held_against_the_holder(desk: Desk) -> None:
     desk.ask("take_command", ADA)
     desk.pass_time(3)
-    desk.clock.now += GONE_AFTER_S + ASLEEP_S
+    desk.clock.now += CONTROL_TIMEOUT_S + ASLEEP_S
     desk.command.look()
     assert desk.command.holder == "Ada"
-    desk.pass_time(GONE_AFTER_S)
+    desk.pass_time(CONTROL_TIMEOUT_S)
     assert desk.command.holder == ""
 
 
@@ -183,7 +183,7 @@ def test_client_in_command_stays_present_until_it_is_closed(
     from rigapp.service.registry import EngineEntry
     from rigapp.service.server import Server
 
-    monkeypatch.setattr("rigapp.service.client.PRESENT_S", 0.05)
+    monkeypatch.setattr("rigapp.service.client.HEARTBEAT_S", 0.05)
     seen = threading.Semaphore(0)
 
     def handler(request: Request) -> Reply:

@@ -23,7 +23,7 @@ from rigapp.config.errors import UnusableInput
 from rigapp.config.loading import read_rig
 from rigapp.presentation.states import state_line, state_word
 from rigapp.schema.messages import AT_REST, OpenCalibration, Reply, RunState, Snapshot, Status
-from rigapp.service.calibration import kept_calibration
+from rigapp.service.calibration import stored_calibration
 from rigapp.service.client import Client
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
@@ -265,7 +265,7 @@ def test_a_killed_holder_leaves_it_until_it_is_released_on_purpose(
     assert rigapp("calibrate", "release", "--rig", RIG, "--yes").returncode == 0
     until(lambda: not is_calibrating(bo), "the rig is free")
     assert rigapp("calibrate", "release", "--rig", RIG, "--yes").returncode == 0
-    assert kept_calibration(RIG) is None
+    assert stored_calibration(RIG) is None
 
 
 def test_another_engine_takes_it_up_and_its_holder_still_ends_it(
@@ -300,7 +300,7 @@ def test_another_engine_takes_it_up_and_its_holder_still_ends_it(
     finally:
         host.close()
     assert release_calibration(rig, "", sure=False, read=lambda question: "no") == 0
-    assert kept_calibration(rig) is None
+    assert stored_calibration(rig) is None
 
 
 def test_a_viewer_of_before_can_read_the_status() -> None:

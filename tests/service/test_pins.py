@@ -64,24 +64,24 @@ def test_wrong_pins_wait_longer_each_time(tmp_path: Path) -> None:
     check = PinCheck(rig_with_pins(tmp_path), lambda: now[0])
     for _ in range(3):
         with pytest.raises(Refused, match="not the PIN of Ada"):
-            check.judge("Ada", "0000")
+            check.check("Ada", "0000")
     with pytest.raises(Refused, match="2 s"):
-        check.judge("Ada", "2718")  # right, but too soon
+        check.check("Ada", "2718")  # right, but too soon
     now[0] += 2.1
     with pytest.raises(Refused, match="not the PIN"):
-        check.judge("Ada", "0000")
+        check.check("Ada", "0000")
     with pytest.raises(Refused, match="4 s"):
-        check.judge("Ada", "2718")
+        check.check("Ada", "2718")
     now[0] += 4.1
-    check.judge("Ada", "2718")
+    check.check("Ada", "2718")
     with pytest.raises(Refused, match="Ben has no PIN"):
-        check.judge("Ben", "2718")
+        check.check("Ben", "2718")
 
 
 def test_a_rig_file_without_operators_wants_no_pin() -> None:
     check = PinCheck(read_rig(RIG))
     assert not check.wanted
-    check.judge("anybody", "")
+    check.check("anybody", "")
 
 
 def test_the_engine_changes_no_limit_without_the_pin(

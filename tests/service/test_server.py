@@ -38,7 +38,7 @@ from rigapp.service.registry import (
     running_engines,
     withdraw,
 )
-from rigapp.service.server import HASTE_S, UNDER_WAY, Server, _Haste
+from rigapp.service.server import EARLY_PERIOD_S, UNDER_WAY, Server, _RateLimit
 
 
 def status(revolution: int = 0) -> Status:
@@ -287,7 +287,7 @@ def test_source_that_fails_is_told_once_and_commands_go_on(tmp_path: Path) -> No
 
 
 def test_a_revolution_and_its_prediction_are_sent_at_once_but_not_every_one_of_a_fast_rig() -> None:
-    haste = _Haste(HASTE_S)
+    haste = _RateLimit(EARLY_PERIOD_S)
     moments = (0.0, 0.015, 0.03, 0.099, 0.101, 0.102, 0.116, 1.0)
     assert [haste.allowed(one) for one in moments] == [
         True, True, False, False, True, False, True, True

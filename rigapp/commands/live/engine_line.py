@@ -18,7 +18,7 @@ from rigapp.config.recipe import TestFile
 from rigapp.presentation.states import calibration_words
 from rigapp.process.ending import ending_as_interrupt
 from rigapp.schema.messages import OpenCalibration, Reply, Request
-from rigapp.service.calibration import forget_calibration, kept_calibration
+from rigapp.service.calibration import delete_calibration, stored_calibration
 from rigapp.service.client import Client
 from rigapp.service.launch import find_engine
 
@@ -94,9 +94,9 @@ def release_calibration(
     read_rig(rig)
     entry = find_engine(rig)
     if entry is None:
-        kept = kept_calibration(rig)
+        kept = stored_calibration(rig)
         if _may_end(rig, kept.shown if kept is not None else None, sure, read):
-            forget_calibration(rig)
+            delete_calibration(rig)
             print(ENDED)
         return 0
     client = Client(entry, login_name(), look=False)

@@ -37,7 +37,7 @@ Say = Callable[[str], None]
 Read = Callable[[str], str]
 
 
-class SimulatedHands:
+class SimulatedActions:
     """The simulated operator of a simulated rig, controlled by the practice of a calibration."""
 
     def __init__(self, session: AnySession, ask: Ask) -> None:
@@ -67,7 +67,7 @@ class Terminal:
         ask: Ask,
         read: Read,
         say: Say,
-        hands: SimulatedHands | None = None,
+        hands: SimulatedActions | None = None,
     ) -> None:
         """Set the session, the engine and, in training, the simulated operator."""
         self._session, self._ask = session, ask
@@ -262,7 +262,7 @@ def calibrate(
             engine_line(rig, operator, own=practise) as ask,
             occupied(ask, "daily check" if requested.get("plan") == "daily" else name),
         ):
-            hands = SimulatedHands(session, ask) if practise else None
+            hands = SimulatedActions(session, ask) if practise else None
             if hands is not None:
                 hands.carry_out(session.practice.prepare)
             terminal = Terminal(session, ask, read, say, hands)

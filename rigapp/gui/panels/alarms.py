@@ -32,9 +32,9 @@ from rigapp.gui.widgets.build import (
     prose,
     row,
     scrolling,
+    set_property,
     split,
     styled_label,
-    tell,
     whole_number,
 )
 from rigapp.gui.widgets.details import FoldedDetails
@@ -127,9 +127,9 @@ class AlarmCard(QFrame):
     def show_alarm(self, alarm: Alarm, *, full: bool, chosen: bool) -> None:
         """Show an alarm; full: with all its texts, else only with its name."""
         severity = "critical" if alarm.severity is Severity.CRITICAL else "attention"
-        tell(self, "role", "card" if alarm.acknowledged else severity)
-        tell(self, "chosen", chosen)
-        tell(self.chip, "chip", "calm" if alarm.acknowledged else severity)
+        set_property(self, "role", "card" if alarm.acknowledged else severity)
+        set_property(self, "chosen", chosen)
+        set_property(self.chip, "chip", "calm" if alarm.acknowledged else severity)
         first = f", {tr('first')}" if alarm.first_out else ""
         self.chip.setText(f"{tr(MARKS[alarm.severity])}{first}")
         self.chip.setToolTip(_explained("first") if alarm.first_out else "")

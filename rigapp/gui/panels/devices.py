@@ -25,8 +25,8 @@ from rigapp.gui.widgets.build import (
     named,
     prose,
     scrolling,
+    set_property,
     styled_label,
-    tell,
 )
 from rigapp.gui.widgets.reflow import WrappingGrid, flowing
 from rigapp.gui.widgets.tables import PlainTable
@@ -150,7 +150,7 @@ class DeviceCard(QFrame):
         link, disturbed = self._link.look(device)
         awaited = connecting and not device.connected and not device.last_error
         health, word = _health(device, disturbed=disturbed, awaited=awaited)
-        tell(self.chip, "chip", health)
+        set_property(self.chip, "chip", health)
         self.chip.setText(tr(word))
         self.identity.setText(f"{device.identity or device.driver}, {device.port}")
         if not device.connected:
@@ -159,7 +159,7 @@ class DeviceCard(QFrame):
         elif device.sample_rate_Hz:
             link = tr("{}, {} samples/s", link, f"{device.sample_rate_Hz:g}")
         unsound = disturbed or not (device.connected or awaited)
-        tell(self.link, "role", "caution" if unsound else "")
+        set_property(self.link, "role", "caution" if unsound else "")
         self.link.setText(link)
         self.warnings.setText(translate(device.advice) or tr("no warning"))
         details = (details_of(device.last_error), details_of(device.advice), counted(device))

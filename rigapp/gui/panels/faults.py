@@ -19,7 +19,7 @@ from rigapp.gui.widgets.build import (
     named,
     prose,
     row,
-    tell,
+    set_property,
 )
 from rigapp.gui.widgets.numbers import number
 from rigapp.gui.widgets.reflow import FoldingSplitter
@@ -128,17 +128,17 @@ class FaultPanel(QWidget):
         if devices == self._devices or not devices:
             return
         self._devices = devices
-        tell(self.problem, "role", "secondary")
+        set_property(self.problem, "role", "secondary")
         self.problem.setText(tr("The faults are being listed …"))
         self._worker.submit(lambda: fault_choices(devices), self._offer, self._cannot)
 
     def _cannot(self, error: Exception) -> None:
-        tell(self.problem, "role", "error")
+        set_property(self.problem, "role", "error")
         self.problem.setText(tr("The faults of the simulated rig are not known: {}", error))
 
     def _offer(self, choices: list[FaultChoice]) -> None:
         self._choices = choices
-        tell(self.problem, "role", "error")
+        set_property(self.problem, "role", "error")
         self.problem.setText("")
         self._show()
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFrame, QSizePolicy, QStackedWidget, QWidget
 
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
-from rigapp.gui.panels.results import TRIPPED, ResultsPanel, ShelfPump, show_trip
+from rigapp.gui.panels.results import TRIPPED, ResultsPanel, ResultsPump, show_trip
 from rigapp.gui.plots.overlay import OverlayPanel
 from rigapp.gui.plots.plotting import LEAST_HEIGHT
 from rigapp.gui.plots.trend import TrendPanel
@@ -83,9 +83,9 @@ class EndPage(QWidget):
             "new": button(
                 "end_new", "New spec&imen…", self._new, tip="Prepare the test of the next specimen"
             ),
-            "on": button("end_on", "Res&ume this test…", self._go_on, tip=RESUME, guarded=True),
+            "on": button("end_on", "Res&ume this test…", self._resume, tip=RESUME, guarded=True),
         }
-        self._pump = ShelfPump(host.results, lambda: None, self)
+        self._pump = ResultsPump(host.results, lambda: None, self)
         wear = host.add("result_wear", TrendPanel("result_wear", theme, "wear", leads=False))
         self.trip = host.add("result_trip", OverlayPanel("result", theme))
         self.trip.show_force_alone()
@@ -208,7 +208,7 @@ class EndPage(QWidget):
     def _new(self) -> None:
         self._host.do(Act.PREPARE)
 
-    def _go_on(self) -> None:
+    def _resume(self) -> None:
         if self.card.result is not None:
             self._host.ask("resume_file", {"file": self.card.result.path})
 

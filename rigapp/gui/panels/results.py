@@ -16,7 +16,7 @@ from rigapp.gui.panels.compare import MOST, ComparePanel
 from rigapp.gui.panels.trip import TripPage
 from rigapp.gui.results.documents import DocumentPanel, Launch, launch_process
 from rigapp.gui.results.resultcard import ResultCard
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.results.resulttable import ResultTable
 from rigapp.gui.widgets.build import (
     button,
@@ -64,10 +64,10 @@ def show_trip(host: Host, path: str) -> None:
     host.do(Act.TRIP)
 
 
-class ShelfPump(QTimer):
+class ResultsPump(QTimer):
     """Collect the results that the shelf has read, and call ``changed`` after changes."""
 
-    def __init__(self, shelf: ResultShelf, changed: Callable[[], None], parent: QWidget) -> None:
+    def __init__(self, shelf: ResultsIndex, changed: Callable[[], None], parent: QWidget) -> None:
         super().__init__(parent)
         self._shelf, self._changed = shelf, changed
         self._version = -1
@@ -92,7 +92,7 @@ class ResultsPanel(QWidget):
     takes = Takes(0)
 
     def __init__(
-        self, theme: Theme, shelf: ResultShelf, worker: TaskWorker, launch: Launch = launch_process
+        self, theme: Theme, shelf: ResultsIndex, worker: TaskWorker, launch: Launch = launch_process
     ) -> None:
         super().__init__()
         self._shelf, self._launch = shelf, launch
@@ -143,8 +143,8 @@ class ResultsPanel(QWidget):
         self.compare = ComparePanel(theme, worker)
         self.away = button("compare_away", "Close the comparison", self._close_comparison)
         self._settled = QTimer(self, singleShot=True, interval=SETTLED_MS)
-        self._settled.timeout.connect(self._look_closely)
-        self._pump = ShelfPump(shelf, self._changed, self)
+        self._settled.timeout.connect(self._request_details)
+        self._pump = ResultsPump(shelf, self._changed, self)
         self._lay_out()
         self._choose()
 
@@ -261,12 +261,12 @@ class ResultsPanel(QWidget):
         if single:
             self._settled.start()
 
-    def _look_closely(self) -> None:
+    def _request_details(self) -> None:
         shown = self.card.result
         if shown is not None and self.isVisible():
-            self._shelf.ask(Path(shown.path), self._looked_closely)
+            self._shelf.ask(Path(shown.path), self._show_details)
 
-    def _looked_closely(self, result: TestResult) -> None:
+    def _show_details(self, result: TestResult) -> None:
         if self.card.result is not None and self.card.result.path == result.path:
             self.card.show_result(result, "")
 

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QLabel, QPushButto
 
 from rigapp.gui.look.icons import Icon, icon
 from rigapp.gui.panel import Act, Host
-from rigapp.gui.panels.results import ShelfPump
+from rigapp.gui.panels.results import ResultsPump
 from rigapp.gui.results.documents import launch_process
 from rigapp.gui.results.resulttable import ROW_HEIGHT, ResultTable
 from rigapp.gui.widgets.build import (
@@ -29,8 +29,8 @@ from rigapp.gui.widgets.build import (
     named,
     prose,
     row,
+    set_property,
     styled_label,
-    tell,
 )
 from rigapp.gui.widgets.labels import heading
 from rigapp.gui.widgets.reflow import WrappingGrid
@@ -162,7 +162,7 @@ class StartPage(QWidget):
             tip="Make the files of a rig with real devices (Ctrl+N)",
             rank="quiet",
         )
-        self._pump = ShelfPump(host.results, self._changed, self)
+        self._pump = ResultsPump(host.results, self._changed, self)
         below = row(heading("last_title", "Last tests"), None, self.all)
         cards = WrappingGrid(WAY_WIDTH, len(WAYS))
         for card in self.ways.values():
@@ -285,7 +285,7 @@ class BoxCard(QFrame):
         known = self._ports.get(port)
         another = known is not None and known.driver not in ("", driver)
         text = tr(OPEN_PORT) if not port else translate(known.words) if known is not None else ""
-        tell(self.who, "role", "error" if another else "caption")
+        set_property(self.who, "role", "error" if another else "caption")
         self.who.setText(f"✗ {tr('Another device answers there: {}', text)}" if another else text)
 
 
@@ -392,7 +392,7 @@ class NewRigPage(QWidget):
 
     def _made(self, folder: Path, files: list[StartingFile]) -> None:
         self._rig = folder / "rig.toml"
-        tell(self.outcome, "role", "")
+        set_property(self.outcome, "role", "")
         self.outcome.setText(tr("The files are in {}. Open the rig, then check it.", folder))
         self.files.show_rows(
             [(str(file.path), translate(ABOUT_REAL[str(file.path)])) for file in files]
@@ -402,7 +402,7 @@ class NewRigPage(QWidget):
         self._enable()
 
     def _not_made(self, error: Exception) -> None:
-        tell(self.outcome, "role", "error")
+        set_property(self.outcome, "role", "error")
         self.outcome.setText(f"✗ {translate(error_text(error, 'The files could not be written.'))}")
         self.files.hide()
         self.open.hide()

@@ -83,7 +83,7 @@ class ResultReader:
             return
 
 
-class ResultShelf:
+class ResultsIndex:
     """The tests of a folder, newest first; a file is read again only when it has changed.
 
     ``version`` increases with every change. Widgets that show the tests call ``pump`` regularly.

@@ -31,7 +31,7 @@ from PySide6.QtWidgets import (
 from rigapp.gui.look.fonts import sized
 from rigapp.gui.look.icons import icon
 from rigapp.gui.results.resultcard import SHAPES, SMALL, colour_of
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.widgets.build import named
 from rigapp.presentation.numbers import coefficient_number, grouped
 from rigapp.presentation.results import day, outcome_text
@@ -291,7 +291,7 @@ class ResultTable(QTableView):
     chosen_changed = Signal()
     opened = Signal(str)
 
-    def __init__(self, name: str, shelf: ResultShelf, theme: Theme, *, most: int = 0) -> None:
+    def __init__(self, name: str, shelf: ResultsIndex, theme: Theme, *, most: int = 0) -> None:
         super().__init__()
         named(self, name, "Recorded tests, newest first")
         self._shelf, self._most = shelf, most

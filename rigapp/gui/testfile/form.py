@@ -24,7 +24,7 @@ from rigapp.gui.testfile.fields import (
     set_path,
     show_value,
 )
-from rigapp.gui.widgets.build import choice, column, named, prose, row, tell
+from rigapp.gui.widgets.build import choice, column, named, prose, row, set_property
 from rigapp.gui.widgets.reflow import WrappingRow, together
 from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, marked, tr, translate
@@ -110,7 +110,7 @@ class FieldLine(QWidget):
         """Show the errors of the fields of the line, or their range."""
         texts = [errors[field.path] for field in self.fields if field.path in errors]
         text = f"\u2717 {' '.join(texts)}" if texts else self.fields[0].allowed
-        tell(self.note, "role", "error" if texts else "caption")
+        set_property(self.note, "role", "error" if texts else "caption")
         if text != self.note.text():
             self.note.setText(text)
         self.note.setVisible(bool(text))
@@ -230,7 +230,7 @@ class FieldForm:
     def show_errors(self, errors: Mapping[str, str]) -> None:
         """Show every error at its field."""
         for path, editor in self.editors.items():
-            tell(editor, "wrong", path in errors)
+            set_property(editor, "wrong", path in errors)
         for line in dict.fromkeys(self._lines.values()):
             line.show_errors(errors)
 

@@ -19,7 +19,7 @@ from rigapp.config.loading import RigRecords, read_rig
 from rigapp.config.recipe import TestFile
 from rigapp.gui.panel import Host
 from rigapp.gui.testfile.recipe import RecipePanel
-from rigapp.gui.widgets.build import column, named, prose, row, scrolling, tell
+from rigapp.gui.widgets.build import column, named, prose, row, scrolling, set_property
 from rigapp.gui.widgets.details import FoldedDetails
 from rigapp.presentation.tokens import GAP, MARGIN, STEP
 from rigapp.presentation.translation import marked, tr, translate
@@ -64,7 +64,7 @@ class CheckRow(QFrame):
     def show_check(self, check: Check) -> None:
         """Show a check."""
         good = check.verdict is CheckVerdict.GOOD
-        tell(self, "role", ROLES[check.verdict])
+        set_property(self, "role", ROLES[check.verdict])
         self.mark.setText(MARKS[check.verdict])
         what, finding, action = map(translate, (check.name, check.sentence, check.advice))
         verdict = tr(check.verdict.value)

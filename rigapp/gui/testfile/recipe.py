@@ -41,7 +41,7 @@ from rigapp.gui.testfile.rules import LimitSentences
 from rigapp.gui.testfile.selected_test import SelectedTest, edited, read_selected
 from rigapp.gui.testfile.sequence import MODEL, STEPS, SequenceCard, StepBar
 from rigapp.gui.testfile.unsaved import UnsavedBar
-from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, tell
+from rigapp.gui.widgets.build import button, column, named, prose, row, scrolling, set_property
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.presentation.tokens import BODY_PT, GAP, MARGIN, STEP
@@ -71,11 +71,11 @@ class RecipePanel(QWidget):
         self._words = [""] * len(STEPS)
         self._checked = ("", 0)
         named(self, "recipe_panel", "Prepare a test")
-        self.form = FieldForm(self._judge)
+        self.form = FieldForm(self._validate)
         self.rules = LimitSentences()
-        self.rules.changed.connect(self._judge)
+        self.rules.changed.connect(self._validate)
         self.sequence = SequenceCard()
-        self.sequence.changed.connect(self._judge)
+        self.sequence.changed.connect(self._validate)
         self.steps = StepBar([*(step.title for step in STEPS), CHECKS])
         self.steps.chosen.connect(self.show_step)
         self.pages = named(QStackedWidget(), "step_pages", "The open step")
@@ -84,7 +84,7 @@ class RecipePanel(QWidget):
         self._filled = False
         self._build()
         self._filled = True
-        self._judge()
+        self._validate()
 
     @property
     def path(self) -> Path | None:
@@ -137,7 +137,7 @@ class RecipePanel(QWidget):
     def _select(self, selected: SelectedTest | None) -> None:
         self.selected = selected
         self._words = [""] * len(STEPS)
-        self._judge()
+        self._validate()
         self.selection_changed.emit()
 
     def _fill(self, tree: Any) -> None:
@@ -167,7 +167,7 @@ class RecipePanel(QWidget):
             set_path(tree, "run.step", steps)
         if wrong:
             errors["run.step"] = tr("{} of the steps cannot be used.", wrong)
-        rules, wrong = self.rules.judge(None)
+        rules, wrong = self.rules.validate(None)
         if rules:
             set_path(tree, "limits.rule", rules)
         if wrong:
@@ -199,7 +199,7 @@ class RecipePanel(QWidget):
 
         A file changed by another program since it was opened is not overwritten.
         """
-        self._judge()
+        self._validate()
         if self.test is None:
             return False
         selected = self.selected
@@ -241,7 +241,7 @@ class RecipePanel(QWidget):
         """Open a step; the index after the last one is the page of the checks."""
         self._now = max(0, min(index, self.pages.count() - 1))
         self.pages.setCurrentIndex(self._now)
-        self._judge()
+        self._validate()
 
     def _build(self) -> None:
         for step in STEPS[:MODEL]:
@@ -318,7 +318,7 @@ class RecipePanel(QWidget):
         row(self.unfold, None, on=head, margins=0)
         return [*shown, head, inside]
 
-    def _judge(self) -> None:
+    def _validate(self) -> None:
         """Check the whole form; show every error at its field, and their number."""
         if not self._filled:
             return
@@ -329,7 +329,7 @@ class RecipePanel(QWidget):
         others = self._place_faults(wrong, errors)
         if errors:
             self.test = None
-        self.rules.judge(self.test.limits if self.test is not None else None)
+        self.rules.validate(self.test.limits if self.test is not None else None)
         self.sequence.show_places(self.test)
         self.form.show_errors(errors)
         self._show_steps(errors)
@@ -357,7 +357,7 @@ class RecipePanel(QWidget):
         """Show a summary of the checks in the bar of steps; blocking: number of blocking checks."""
         if (words, blocking) != self._checked:
             self._checked = (words, blocking)
-            self._judge()
+            self._validate()
 
     def _place_faults(self, wrong: list[str], errors: dict[str, str]) -> list[str]:
         """Show each fault at the first field it names; return the faults without a field."""
@@ -416,7 +416,7 @@ class RecipePanel(QWidget):
             self.buttons[name].setEnabled(usable)
 
     def _say(self, sentence: str, *, good: bool) -> None:
-        tell(self.verdict, "role", "secondary" if good else "error")
+        set_property(self.verdict, "role", "secondary" if good else "error")
         self.verdict.setText(sentence if good else f"▲ {sentence}")
         self.verdict.setToolTip(sentence)
 

@@ -29,9 +29,9 @@ from rigapp.gui.widgets.build import (
     filled,
     named,
     prose,
+    set_property,
     styled_label,
     take_away,
-    tell,
 )
 from rigapp.gui.widgets.numbers import number, whole
 from rigapp.gui.widgets.reflow import SentencePart, flowing, sentence_row
@@ -185,21 +185,21 @@ class LevelRow(QFrame):
         self, line: QLineEdit, parse: Callable[[str], Any], what: Text, wrong: list[str], empty: Any
     ) -> Any:
         text = line.text().strip()
-        tell(line, "wrong", False)
+        set_property(line, "wrong", False)
         if not text:
             return empty
         try:
             return parse(text)
         except ValueError:
-            tell(line, "wrong", True)
+            set_property(line, "wrong", True)
             wrong.append(tr(what, repr(text)))
             return empty
 
     def say(self, wrong: Sequence[str], caution: str = "") -> None:
         """Show the errors below the sentence, else a caution, else the usual range."""
         if wrong and not any(line.property("wrong") for line in (self.revolutions, self.back)):
-            tell(self.value, "wrong", True)
-        tell(self.note, "role", "error" if wrong else "caution" if caution else "caption")
+            set_property(self.value, "wrong", True)
+        set_property(self.note, "role", "error" if wrong else "caution" if caution else "caption")
         text = f"\u2717 {' '.join(wrong)}" if wrong else f"\u25b2 {caution}" if caution else ""
         self.note.setText(text or self._usual)
 
@@ -268,7 +268,7 @@ class LimitSentences(QGroupBox):
             for line in self._all():
                 line.know(table)
 
-    def judge(self, limits: LimitsSection | None) -> tuple[list[dict[str, Any]], int]:
+    def validate(self, limits: LimitsSection | None) -> tuple[list[dict[str, Any]], int]:
         """Return the rules and the number of wrong limits; show the errors of each.
 
         limits: the permanent limits; None while not known.
@@ -283,10 +283,10 @@ class LimitSentences(QGroupBox):
                 wrong[indices[-1]] += faults_of(rule, None)
         for line, level, texts in zip(self.rows, levels, wrong, strict=True):
             line.say(texts, never_comes(level, limits))
-        self._judge_draft(levels)
+        self._validate_draft(levels)
         return rules, sum(1 for texts in wrong if texts)
 
-    def _judge_draft(self, levels: Sequence[LimitLevel]) -> None:
+    def _validate_draft(self, levels: Sequence[LimitLevel]) -> None:
         if self.draft is None:
             return
         level, wrong = self.draft.read()

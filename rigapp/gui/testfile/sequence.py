@@ -34,8 +34,8 @@ from rigapp.gui.widgets.build import (
     named,
     prose,
     row,
+    set_property,
     take_away,
-    tell,
 )
 from rigapp.gui.widgets.labels import ElidedLabel
 from rigapp.gui.widgets.numbers import number, whole
@@ -153,7 +153,7 @@ class StepButton(QPushButton):
 
     def show_step(self, state: str, words: str) -> None:
         """Show a state (done, now, later, wrong) and a short text."""
-        tell(self.mark, "mark", state)
+        set_property(self.mark, "mark", state)
         self.mark.setText({"done": "\u2713", "wrong": "\u2717"}.get(state, str(self._index + 1)))
         self.words.show_text(words)
         self.setAccessibleName(tr("Step {}, {}: {}", self._index + 1, tr(self._title), words))
@@ -305,13 +305,13 @@ class StepLine(QFrame):
             if value is not None:
                 step[key] = value
         if kind not in step and not wrong:
-            tell(self.length, "wrong", True)
+            set_property(self.length, "wrong", True)
             wrong.append(tr(LENGTH_MISSING))
         return step, wrong
 
     def _number(self, key: str, line: QLineEdit, wrong: list[str]) -> Any:
         text = line.text().strip()
-        tell(line, "wrong", False)
+        set_property(line, "wrong", False)
         if not text:
             return None
         counted = key == "revolutions"
@@ -323,7 +323,7 @@ class StepLine(QFrame):
             fault = translate(refusal(f"run.step.{key}", value))
         if not fault:
             return value
-        tell(line, "wrong", True)
+        set_property(line, "wrong", True)
         wrong.append(fault)
         return None
 
@@ -337,7 +337,7 @@ class StepLine(QFrame):
 
     def say(self, wrong: Sequence[str]) -> None:
         """Show the errors below the step, else its range of revolutions."""
-        tell(self.note, "role", "error" if wrong else "caption")
+        set_property(self.note, "role", "error" if wrong else "caption")
         self.note.setText(f"\u2717 {' '.join(wrong)}" if wrong else self._words)
 
 

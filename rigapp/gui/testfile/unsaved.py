@@ -28,7 +28,7 @@ class UnsavedBar(Bar):
         self._then: Callable[[], None] | None = None
         self.escape = self.put_away
         self.save = button("unsaved_save", "Save", self._save_first)
-        self.discard = button("unsaved_discard", "Discard", self._go_on)
+        self.discard = button("unsaved_discard", "Discard", self._continue)
         self.stay = button("unsaved_stay", "Continue editing", self.put_away)
         self.lay_out((self.save, self.discard, self.stay))
 
@@ -52,9 +52,9 @@ class UnsavedBar(Bar):
 
     def _save_first(self) -> None:
         if self._save():
-            self._go_on()
+            self._continue()
 
-    def _go_on(self) -> None:
+    def _continue(self) -> None:
         then = self._then
         self.put_away()
         if then is not None:

@@ -28,7 +28,7 @@ class Bar(QFrame):
         super().__init__()
         named(self, f"{name}_bar", spoken)
         self.text = prose(f"{name}_text", text_spoken or spoken)
-        self.more = details_button(name, lambda _: self._tell())
+        self.more = details_button(name, lambda _: self._update_text())
         self._sentence = self._details = ""
         self.escape: Callable[[], object] | None = None
         self._sheet = ""
@@ -49,9 +49,9 @@ class Bar(QFrame):
             self.more.setChecked(False)
             self.more.setVisible(bool(details))
         self._sentence = tr(text)
-        self._tell()
+        self._update_text()
 
-    def _tell(self) -> None:
+    def _update_text(self) -> None:
         text = self._details if self.more.isChecked() else self._sentence
         if text != self.text.text():
             self.text.setText(text)

@@ -127,7 +127,7 @@ def key_text(key: str) -> str:
     return QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
 
 
-def tell(widget: QWidget, name: str, value: object) -> None:
+def set_property(widget: QWidget, name: str, value: object) -> None:
     """Set a property of a widget (see ``look.dress``); polish the widget where it changed."""
     if widget.property(name) != value:
         widget.setProperty(name, value)

@@ -33,7 +33,7 @@ from rigapp.gui.widgets.build import (
     edit,
     named,
     prose,
-    tell,
+    set_property,
     whole_number,
 )
 from rigapp.gui.widgets.reflow import flowing
@@ -304,7 +304,7 @@ class StartBar(QFrame):
         if selected is not None and not wrong:
             self.out.setText(str(new_result(self._results, selected.path.stem)))
         self.message.setText(f"▲ {text}" if wrong else text)
-        tell(self.message, "role", "error" if wrong else "caution" if lost else "secondary")
+        set_property(self.message, "role", "error" if wrong else "caution" if lost else "secondary")
         self.read.setVisible(bool(changed))
         self.save.setVisible(bool(lost) and not wrong)
         self.go.setEnabled(not wrong)
@@ -331,7 +331,7 @@ class StartBar(QFrame):
         if not self.choose(Path(self.test.currentData())):
             text = tr("Changes in Prepare are not saved: save or discard them first.")
             self.message.setText(f"▲ {text}")
-            tell(self.message, "role", "error")
+            set_property(self.message, "role", "error")
 
     def _read_again(self) -> None:
         path = self._recipe.path

@@ -162,7 +162,7 @@ class CalibrationGuide(QObject):
         self._stage.dress(self._theme())
         # Fits and statistics are loaded on the worker while the operator chooses.
         if self._make_wizard is None:
-            self._reader.submit(_load_wizards, self._take_wizards, self._tell_problem)
+            self._reader.submit(_load_wizards, self._take_wizards, self._report_problem)
         self.show(chooser)
 
     def choose(self, key: str) -> None:
@@ -252,7 +252,7 @@ class CalibrationGuide(QObject):
         if self._next:
             self.choose(self._next)
 
-    def _tell_problem(self, error: Exception) -> None:
+    def _report_problem(self, error: Exception) -> None:
         self.reported.emit(error_text(error, "That did not work."), False)
 
     def _put_on_stage(self) -> None:

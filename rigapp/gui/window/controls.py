@@ -311,14 +311,14 @@ class ControlRow(QFrame):
             self.send("start", arguments)
         elif self._occupied:
             self._waiting_start = None
-            self.tell_occupied()
+            self.report_occupied()
         elif self._state is RunState.FAULT or waited > START_AFTER_CONNECT_S:
             self._waiting_start = None
             self.show_answer("The test was not started: the devices are not ready.", good=False)
         elif waited < 1.0:
             self.show_answer("start: waiting for the devices …", good=True)
 
-    def tell_occupied(self) -> None:
+    def report_occupied(self) -> None:
         """Show why the spindle cannot be started while a calibration is open."""
         if self._occupied:
             self.show_answer(self._occupied, good=False)
@@ -405,7 +405,7 @@ class ControlRow(QFrame):
                 self.buttons[spec.verb].click()
                 return
         if any(spec.key == key and spec.verb == "start" for spec in BUTTONS):
-            self.tell_occupied()
+            self.report_occupied()
 
     def _to_text(self) -> None:
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)

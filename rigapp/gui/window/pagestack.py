@@ -34,7 +34,7 @@ class PageStack(QStackedWidget):
 
     def take(self, guide: QWidget) -> None:
         """Set another guide without showing it; see ``dress_calls``."""
-        self._let_go()
+        self._release_guide()
         guide.setWindowFlags(Qt.WindowType.Widget)
         self._area.setWidget(guide)
 
@@ -66,10 +66,10 @@ class PageStack(QStackedWidget):
 
     def end(self) -> None:
         """Delete the guide, and show the pages."""
-        self._let_go()
+        self._release_guide()
         self.show_pages()
 
-    def _let_go(self) -> None:
+    def _release_guide(self) -> None:
         guide = self._area.takeWidget()
         if guide is not None:
             guide.deleteLater()

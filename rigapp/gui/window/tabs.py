@@ -32,7 +32,7 @@ from rigapp.gui.panels.trends import overview_page, trend_page, wear_page
 from rigapp.gui.panels.trip import trip_page
 from rigapp.gui.plots.plotmenu import offer_menus
 from rigapp.gui.plots.plotting import QuietPlot
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.settings.page import SettingsPage, settings_page
 from rigapp.gui.testfile.prepare import PreparePanel, prepare_page
 from rigapp.gui.widgets.build import follow_in_tab_order, key_text, named
@@ -118,7 +118,7 @@ class Tabs(QTabWidget):
         self,
         test: ShownTest,
         theme: Theme,
-        results: ResultShelf,
+        results: ResultsIndex,
         worker: TaskWorker,
         wear: WearReader,
         stalls: StallCounter,

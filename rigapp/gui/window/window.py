@@ -26,7 +26,7 @@ from rigapp.gui.look.preferences import Preference, Preferences
 from rigapp.gui.panel import Act
 from rigapp.gui.panels.alarms import AlarmPanel
 from rigapp.gui.results.documents import launch_process
-from rigapp.gui.results.results_index import ResultShelf
+from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.widgets.build import GuardedButton, button, column, follow_in_tab_order, named, row
 from rigapp.gui.widgets.chunkedtask import ChunkedTask
 from rigapp.gui.window.bars import ReplayBar, ReplayFrame, StartBar
@@ -118,7 +118,7 @@ class MainWindow(QMainWindow):
         self.replay_bar = ReplayBar(theme)
         self.replay_bar.hide()
         self.body = ReplayFrame()
-        self._results = ResultShelf(results_folder, self._reader)
+        self._results = ResultsIndex(results_folder, self._reader)
         self.tabs = Tabs(
             test,
             theme,
@@ -425,7 +425,7 @@ class MainWindow(QMainWindow):
         """Perform the next step named in the message line; none during a calibration."""
         status = self._connection.status
         if status is not None and status.engine.state is RunState.CALIBRATING:
-            self.controls.tell_occupied()
+            self.controls.report_occupied()
         self.recover.press()
 
     def _show_who_commands(self) -> None:
@@ -579,7 +579,7 @@ class MainWindow(QMainWindow):
         self.controls.refused.connect(lambda refused: self.messages.give_room(refused=refused))
         self.guide.moved.connect(self._show_place)
         self.guide.reported.connect(self._say_answer)
-        self.guide.occupied.connect(self.controls.tell_occupied)
+        self.guide.occupied.connect(self.controls.report_occupied)
         self.guide.end_bar.wanted.connect(self.controls.send)
         self.close_bar.leave.connect(self._leave)
         self.close_bar.stop_first.connect(self._stop_and_close)

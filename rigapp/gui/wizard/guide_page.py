@@ -32,7 +32,7 @@ LEAST_HEIGHT = 24 * STEP
 """Minimum height of a page for a picture, whose contents are also given as text."""
 
 
-class Yielding(QWidget):
+class ContentHeight(QWidget):
     """A widget with the height of its content at the present width."""
 
     def minimumSizeHint(self) -> QSize:
@@ -59,7 +59,7 @@ class GuidePage(QWizardPage):
 
     def hold(self, *items: Item | tuple[Item, int]) -> None:
         """Set the content, from top to bottom."""
-        inside = Yielding()
+        inside = ContentHeight()
         layout = filled(QVBoxLayout(inside), (self._where, *items))
         layout.setContentsMargins(0, 0, STEP, 0)
         layout.setSpacing(GAP)

@@ -39,7 +39,7 @@ class AskLater(Protocol):
         ...
 
 
-class HandsQueue:
+class ActionQueue:
     """Send actions to the engine, each after the answer to the previous; a failure drops all."""
 
     def __init__(
@@ -115,7 +115,7 @@ class LiveCalibration(QObject):
         self._since, self._acted_at = 0, -1
         self._requested = False
         self._done_for = NOWHERE
-        self._hands = HandsQueue(line, self._acted, self._failed)
+        self._hands = ActionQueue(line, self._acted, self._failed)
         self._worker = TaskWorker("calibration-fit", bound=4)
         self._timer = QTimer(self)
         self._timer.setInterval(LOOK_MS)
@@ -159,9 +159,9 @@ class LiveCalibration(QObject):
         self._worker.deliver()
         if not self._requested:
             self._requested = True
-            self._line(*self.question, self._heard)
+            self._line(*self.question, self._received)
 
-    def _heard(self, reply: Reply) -> None:
+    def _received(self, reply: Reply) -> None:
         self._requested = False
         if not reply.ok:
             self.window = self.readiness = None
@@ -210,7 +210,7 @@ class LiveCalibration(QObject):
         self.looked.emit()
         return True
 
-    def judge(self) -> None:
+    def evaluate(self) -> None:
         """Fit and check on a worker thread; ``evaluated`` is emitted afterwards."""
         self.outcome = None
         if self.session is not None:
@@ -246,7 +246,7 @@ class LiveCalibration(QObject):
         if self._hands.prepared:
             self._hands.add(self.practice.plant(mistake))
 
-    def lend_a_hand(self) -> None:
+    def perform_step(self) -> None:
         """Make the simulated operator perform the step."""
         if self.session is None or self.session.procedure.done:
             return
@@ -261,7 +261,7 @@ class LiveCalibration(QObject):
         steady = self.readiness is not None and self.readiness.state is SignalState.STEADY
         if self._done_for != here:
             self._done_for = here
-            self.lend_a_hand()
+            self.perform_step()
         elif steady and not session.reference_is_due:
             self.take()
 

@@ -34,7 +34,7 @@ from rigapp.gui.wizard.scenes import (
     WeightScene,
     stack_of,
 )
-from rigapp.gui.wizard.simulated_operator import HandsPanel
+from rigapp.gui.wizard.simulated_operator import SimulatedOperatorPanel
 from rigapp.gui.wizard.taking_page import RollingCalibration, RollingPage, TakingPage, TakingWords
 from rigapp.gui.wizard.widgets import MeasuredCard, PlotNames, field, fields_form, number, sentence
 from rigapp.presentation.tokens import GAP, Theme
@@ -84,7 +84,7 @@ class AnglePage(GuidePage):
         self.first = sentence("angle_first", "The first angle")
         self._first_deg: float | None = None
         self.problem = sentence("angle_problem", "What is wrong on this page")
-        self.hands = HandsPanel(live)
+        self.hands = SimulatedOperatorPanel(live)
         form = fields_form()
         form.addRow(self.follow)
         field(form, "&Encoder shows", self.shown)
@@ -117,15 +117,15 @@ class AnglePage(GuidePage):
         self._first_deg = self.shown.value()
         self.turn.setText(tr(AGAIN))
         self.uncertainty.setEnabled(False)
-        self._tell_first()
+        self._show_first()
 
     def _forget_first(self) -> None:
         self._first_deg = None
         self.turn.setText(tr(TURN))
         self.uncertainty.setEnabled(True)
-        self._tell_first()
+        self._show_first()
 
-    def _tell_first(self) -> None:
+    def _show_first(self) -> None:
         if self._first_deg is None:
             self.first.setText("")
             return
@@ -186,7 +186,7 @@ class AnglePage(GuidePage):
             now, degrees = window.angle, math.degrees(window.angle)
             if self.follow.isChecked():
                 self.shown.setValue(degrees if degrees < 180.0 else degrees - 360.0)
-        self._tell_first()
+        self._show_first()
         text = "" if now is None else f"{math.degrees(math.remainder(now, math.tau)):+.2f}°"
         self.measured.show_value(text.replace("-", "\u2212"))
         self.picture.show_scene(LevelScene(now, turned=self._first_deg is not None))
@@ -199,7 +199,7 @@ ROUNDED_GRAVITY = 9.81
 
 
 @dataclass(frozen=True, slots=True)
-class Face:
+class SubjectView:
     """Presentation of a subject of ``SUBJECTS`` in the window.
 
     what: name in the wizard's title. readings: makes the page on which they are taken. angle:
@@ -427,8 +427,8 @@ WITH_MICROMETER = TakingWords(
     do="T&urn the micrometer",
     read_off=True,
 )
-FACES = {
-    "load cell": Face(
+SUBJECT_VIEWS = {
+    "load cell": SubjectView(
         what="the load cell",
         asks=WEIGHING,
         readings=partial(TakingPage, words=WITH_WEIGHTS, plot=CELL_PLOT),
@@ -437,14 +437,14 @@ FACES = {
         angle=True,
         fitted=False,
     ),
-    "probes": Face(
+    "probes": SubjectView(
         what="the probes",
         asks=MEASURING,
         readings=partial(TakingPage, words=WITH_MICROMETER, plot=PROBE_PLOT),
         plot=PROBE_PLOT,
         sketch=ProbeScene(1, 0.0, 800.0),
     ),
-    "run-out": Face(
+    "run-out": SubjectView(
         what="the pin's run-out",
         asks=ROLLING,
         readings=RollingPage,

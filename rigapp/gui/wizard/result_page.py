@@ -270,7 +270,7 @@ class ResultPage(GuidePage):
             self.target.setText(str(session.journal.path.with_suffix(".json")))
             if self.plot is not None:
                 self.plot.show_residuals(session.residuals())
-        self._live.judge()
+        self._live.evaluate()
         self.completeChanged.emit()
 
     def isComplete(self) -> bool:

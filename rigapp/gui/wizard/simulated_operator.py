@@ -11,7 +11,7 @@ from rigapp.presentation.tokens import GAP, STEP
 from rigapp.presentation.translation import Text, tr
 
 
-class HandsPanel(QFrame):
+class SimulatedOperatorPanel(QFrame):
     """Perform a step or all further steps, optionally with a mistake."""
 
     def __init__(
@@ -25,7 +25,7 @@ class HandsPanel(QFrame):
         title.setProperty("role", "title")
         title.setToolTip(tr("Training mode: no waiting times"))
         spoken: Text = "Let the simulated operator do this step"
-        self.do = button(f"{name}_do", do, live.lend_a_hand, spoken)
+        self.do = button(f"{name}_do", do, live.perform_step, spoken)
         all_steps: Text = "Do and record all further steps"
         self.ahead = button(f"{name}_ahead", "Go a&head", self._ahead, all_steps, checkable=True)
         mistakes = live.practice.mistakes

@@ -19,12 +19,12 @@ from PySide6.QtWidgets import (
 
 from rigapp.config.errors import UnusableInput
 from rigapp.gui.look.fonts import sized
-from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, prose, row, tell
+from rigapp.gui.widgets.build import button, edit, filled, fit_hint, named, prose, row, set_property
 from rigapp.gui.widgets.reflow import flowing
 from rigapp.gui.wizard.guide_page import FOUR, TWO, GuidePage
 from rigapp.gui.wizard.live_calibration import LiveCalibration, Question
 from rigapp.gui.wizard.scenes import Picture, RollScene, Scene
-from rigapp.gui.wizard.simulated_operator import HandsPanel
+from rigapp.gui.wizard.simulated_operator import SimulatedOperatorPanel
 from rigapp.gui.wizard.widgets import (
     MeasuredCard,
     PlotNames,
@@ -60,16 +60,16 @@ class RollingCalibration(LiveCalibration):
         self.rolling = False
         self._line("stop", {"reason": "the slow roll was stopped in the wizard"}, self._answered)
 
-    def _heard(self, reply: Reply) -> None:
+    def _received(self, reply: Reply) -> None:
         self._requested = False
         self.view = reply.result if reply.ok else None
         if not reply.ok:
             self.reported.emit(translate(reply.sentence))
         elif self.rolling and self.session is not None:
-            self._go_on(self.session, reply.result)
+            self._continue(self.session, reply.result)
         self.looked.emit()
 
-    def _go_on(self, session: Any, status: Any) -> None:
+    def _continue(self, session: Any, status: Any) -> None:
         try:
             action = session.runs.go_on(status)
         except UnusableInput as error:
@@ -164,7 +164,7 @@ class RollingPage(GuidePage):
         self.measured.show_value(self.progress_words())
         speeds = ", ".join(f"{rpm:g}" for rpm in session.plan.speeds)
         self.picture.show_scene(RollScene(f"{speeds} rpm", turning=rolling))
-        tell(self.roll, "rank", "" if runs.done else "primary")
+        set_property(self.roll, "rank", "" if runs.done else "primary")
         self.progress.setRange(0, runs.planned)
         self.progress.setValue(runs.turned)
         waits = self.roll.hasFocus() or self.stop.hasFocus()
@@ -241,7 +241,7 @@ class TakingPage(GuidePage):
         position: Text = "Position that the micrometer shows"
         self.shown = number(f"{prefix}shown", position, -20000.0, 20000.0, 1, 1.0, "µm")
         self._entered = labelled("Micrometer &shows", self.shown) if words.read_off else None
-        self.hands = HandsPanel(live, f"{prefix}hands", words.do)
+        self.hands = SimulatedOperatorPanel(live, f"{prefix}hands", words.do)
         beside = [part for part in (self.measured, self.live, self._entered) if part is not None]
         now = filled(QVBoxLayout(), (*beside, None, self.problem))
         look = self.beside(TWO, (self.picture, 5), (now, 4))
@@ -296,7 +296,7 @@ class TakingPage(GuidePage):
         self.measured.setVisible(not procedure.done)
         if self._entered is not None:
             self._entered.setRowVisible(0, not procedure.done)
-        tell(self.record, "rank", "" if procedure.done else "primary")
+        set_property(self.record, "rank", "" if procedure.done else "primary")
         self._show_scene()
         if procedure.done:
             self.left.setText(tr("All steps are done."))

@@ -13,11 +13,11 @@ from PySide6.QtWidgets import QFrame, QWidget, QWizard
 from rigapp.calibrating.session import Rig
 from rigapp.calibrating.subjects import SUBJECTS
 from rigapp.gui.look.dress import dress_part
-from rigapp.gui.widgets.build import column, named, prose, tell
+from rigapp.gui.widgets.build import column, named, prose, set_property
 from rigapp.gui.widgets.steps import ShownStep, StepRow
 from rigapp.gui.wizard.guide_page import GuidePage
 from rigapp.gui.wizard.live_calibration import AskLater
-from rigapp.gui.wizard.pages import FACES, AnglePage
+from rigapp.gui.wizard.pages import SUBJECT_VIEWS, AnglePage
 from rigapp.gui.wizard.plan_page import PlanPage
 from rigapp.gui.wizard.result_page import CertificatePage, ChartPlot, ResultPage
 from rigapp.gui.wizard.scenes import Picture
@@ -113,7 +113,7 @@ class CalibrationWizard(QWizard):
         key: of the calibration that occupies the rig for this wizard; its end releases the rig.
         """
         super().__init__(parent)
-        of, face = SUBJECTS[subject], FACES[subject]
+        of, face = SUBJECTS[subject], SUBJECT_VIEWS[subject]
         session: Any = face.session or of.session
         assert of.place is not None
         assert of.plan is not None
@@ -231,7 +231,7 @@ class CalibrationWizard(QWizard):
             if left and button.isHidden():
                 page.setFocus()
         for kind in FORWARD:
-            tell(self.button(kind), "rank", "primary" if page.isComplete() else "")
+            set_property(self.button(kind), "rank", "primary" if page.isComplete() else "")
             self.button(kind).updateGeometry()
         if self.readings.foot()[-1][1] and page is self.readings:
             self.button(QWizard.WizardButton.NextButton).hide()

@@ -22,12 +22,12 @@ SIMULATION = PARAMETERS / "table2_simulation.toml"
 EXPERIMENT = PARAMETERS / "table2_experiment.toml"
 SPEED_RPM = 30.0
 
-Tell = Callable[[float], None]
-Part = Callable[[Tell], "Iterable[Chapter]"]
+Progress = Callable[[float], None]
+Part = Callable[[Progress], "Iterable[Chapter]"]
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class PaperFiles:
     """The written files, and whether all comparisons are complete."""
 
     files: tuple[Path, ...]
@@ -35,8 +35,8 @@ class Made:
 
 
 def make_paper(
-    folder: Path, recorded: Path | None = None, progress: Tell = lambda part: None
-) -> Made:
+    folder: Path, recorded: Path | None = None, progress: Progress = lambda part: None
+) -> PaperFiles:
     """Write the comparisons into a folder, created if missing; return the written files.
 
     One CSV table and one PNG picture for each comparison, and index.html and index.md with
@@ -66,7 +66,7 @@ def make_paper(
     except OutOfTime:
         complete = False
     sections += [provenance(path) for path in (STEEL, SIMULATION, EXPERIMENT)]
-    return Made((*written, *write_pages(folder, sections)), complete)
+    return PaperFiles((*written, *write_pages(folder, sections)), complete)
 
 
 def parts(recorded: Path | None = None) -> tuple[Part, ...]:
@@ -80,20 +80,22 @@ def parts(recorded: Path | None = None) -> tuple[Part, ...]:
     speed = SPEED_RPM * np.pi / 30.0
 
     def fig15(parameters: Parameters, name: str, bushing: str) -> Part:
-        return lambda tell: [wear.constant_and_evolving(parameters, speed, name, bushing, tell)]
+        return lambda progress: [
+            wear.constant_and_evolving(parameters, speed, name, bushing, progress)
+        ]
 
     result: list[Part] = [
-        lambda tell: kinematics.same_without_clearance(steel, speed),
-        lambda tell: [kinematics.force_over_gap(steel, speed)],
-        lambda tell: [techniques.forces(simulation, speed, tell)],
-        lambda tell: [techniques.wear(simulation, speed, tell)],
-        lambda tell: [kinematics.slip(steel, speed)],
+        lambda progress: kinematics.same_without_clearance(steel, speed),
+        lambda progress: [kinematics.force_over_gap(steel, speed)],
+        lambda progress: [techniques.forces(simulation, speed, progress)],
+        lambda progress: [techniques.wear(simulation, speed, progress)],
+        lambda progress: [kinematics.slip(steel, speed)],
         fig15(steel, "fig15_steel", "steel as in section 4.3, K = 1e-8 mm³/(N m)"),
         fig15(simulation, "fig15_soft", "the soft bushing assumed for Table 2"),
     ]
     if recorded is not None:
         measured = tuple(recorded_chapters(recorded))
-        result.append(lambda tell: measured)
-    result.append(lambda tell: [table2.table_2(simulation, experiment, speed, tell)])
-    result.append(lambda tell: [table2.worn_profiles(simulation, experiment, speed, tell)])
+        result.append(lambda progress: measured)
+    result.append(lambda progress: [table2.table_2(simulation, experiment, speed, progress)])
+    result.append(lambda progress: [table2.worn_profiles(simulation, experiment, speed, progress)])
     return tuple(result)

@@ -170,15 +170,15 @@ def force_over_gap(parameters: Parameters, speed: float) -> Chapter:
         columns=columns,
         sentences=(
             "With the spring anchored outboard, as assumed here because only then the follower is"
-            f" in tension, the maximum force {_goes(last['outboard'])} by"
+            f" in tension, the maximum force {_trend(last['outboard'])} by"
             f" {abs(last['outboard']):.2f} % at a gap of 1 mm: a longer follower relaxes the"
             " spring.",
-            f"Without a spring it {_goes(last['none'])} by {abs(last['none']):.2f} %; the follower"
+            f"Without a spring it {_trend(last['none'])} by {abs(last['none']):.2f} %; the follower"
             " is then in compression for a part of the cycle.",
             "With the spring anchored inboard the follower is in compression and the pin bears on"
-            f" the other wall: the force {_goes(last['inboard'])} by {abs(last['inboard']):.2f} %."
+            f" the other wall: the force {_trend(last['inboard'])} by {abs(last['inboard']):.2f} %."
             " If Eq. 12 is used as printed, with the pin held on the wall towards the crank, it"
-            f" {_goes(last[PRINTED])} by {abs(last[PRINTED]):.2f} %.",
+            f" {_trend(last[PRINTED])} by {abs(last[PRINTED]):.2f} %.",
             "The paper says that the force increases with the gap; it does not say where the"
             " spring is anchored. Of the arrangements here only an inboard spring with Eq. 12 as"
             " printed would do so, and there the paper's own assumption of tension fails.",
@@ -215,7 +215,7 @@ def _sizes(parameters: Parameters, speed: float) -> dict[str, list[np.ndarray]]:
     return sizes
 
 
-def _goes(change: float) -> str:
+def _trend(change: float) -> str:
     return "rises" if change > 0.0 else "falls"
 
 

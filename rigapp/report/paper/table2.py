@@ -10,7 +10,7 @@ import numpy as np
 
 from rigapp.report.paper.kinematics import COLOURS, MM
 from rigapp.report.paper.pages import Chapter
-from rigapp.report.paper.wear import Tell, whole_life
+from rigapp.report.paper.wear import Progress, whole_life
 
 if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters
@@ -24,10 +24,12 @@ MEASURED_MASS_G, MEASURED_DEPTH_MM = 0.1714, 0.4850
 CLEARANCES_MM = np.linspace(0.2, 1.2, 51)
 
 
-def table_2(simulation: Parameters, experiment: Parameters, speed: float, tell: Tell) -> Chapter:
+def table_2(
+    simulation: Parameters, experiment: Parameters, speed: float, progress: Progress
+) -> Chapter:
     """Return Table 2 with two computed lives, and the map of fitting clearance and K F."""
     lives = [
-        whole_life(p, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=tell)
+        whole_life(p, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=progress)
         for p in (simulation, experiment)
     ]
     density = simulation.bushing.density * simulation.joint.bushing_width
@@ -136,13 +138,13 @@ def _rows(
         ("error bound of the depth, mm", "not given", "not given"),
         ("error bound of the mass, g", "not given", "not given"),
     )
-    own = (_found(life, parameters) for life, parameters in zip(lives, sets, strict=True))
+    own = (_values_of(life, parameters) for life, parameters in zip(lives, sets, strict=True))
     for (what, printed, measured), of_simulation, of_experiment in zip(paper, *own, strict=True):
         rows.append((what, printed, of_simulation, measured, of_experiment))
     return rows
 
 
-def _found(life: Life, parameters: Parameters) -> tuple[str, ...]:
+def _values_of(life: Life, parameters: Parameters) -> tuple[str, ...]:
     """Return the values of a life for each line of the table."""
     return (
         f"{1e6 * life.worn_area[-1]:.4f}",
@@ -166,7 +168,7 @@ def in_vertical_plane(parameters: Parameters) -> Parameters:
 
 
 def worn_profiles(
-    simulation: Parameters, experiment: Parameters, speed: float, tell: Tell
+    simulation: Parameters, experiment: Parameters, speed: float, progress: Progress
 ) -> Chapter:
     """Return Fig. 21 for the parameter sets that fit the paper's simulation and experiment.
 
@@ -178,7 +180,7 @@ def worn_profiles(
     for name, parameters in (("simulation", simulation), ("experiment", experiment)):
         for plane, set_of in (("", parameters), ("_vertical", in_vertical_plane(parameters))):
             life = whole_life(
-                set_of, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=tell
+                set_of, speed, CYCLES, "continuous", tolerance=TOLERANCE, progress=progress
             )
             depth = np.interp(degrees, np.degrees(life.angle), life.depth) / MM
             columns[f"depth_{name}{plane}_mm"] = depth

@@ -11,7 +11,7 @@ import numpy as np
 from rigapp.report.paper.kinematics import COLOURS, DEGREES, MM, POINTS, angles
 from rigapp.report.paper.pages import Chapter
 from rigapp.report.paper.table2 import CYCLES
-from rigapp.report.paper.wear import Tell, shared, whole_life
+from rigapp.report.paper.wear import Progress, shared, whole_life
 
 if TYPE_CHECKING:
     from rigapp_model.contact.ensemble import Ensemble
@@ -28,7 +28,7 @@ NAMES = {
 SHADES = (COLOURS[0], COLOURS[1], COLOURS[4])
 
 
-def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
+def forces(parameters: Parameters, speed: float, progress: Progress) -> Chapter:
     """Return the joint force of the three techniques, with and without the spring."""
     from rigapp_model.contact.ensemble import ensemble
     from rigapp_model.contact.impact import contact_cycle
@@ -43,8 +43,8 @@ def forces(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
         ).force_magnitude
         answer = continuous_contact(mechanism, joint, angles(), speed)
         columns[f"f_continuous_{kind}_N"] = answer.motion.force_magnitude
-    sprung = contact_cycle(_system(parameters, speed), POINTS, progress=tell)
-    many = ensemble(_system(loose, speed), REVOLUTIONS, POINTS, progress=tell)
+    sprung = contact_cycle(_system(parameters, speed), POINTS, progress=progress)
+    many = ensemble(_system(loose, speed), REVOLUTIONS, POINTS, progress=progress)
     columns |= {
         "f_contact_spring_N": sprung.motion.force_magnitude,
         "f_contact_no_spring_sample_N": many.sample.motion.force_magnitude,
@@ -126,10 +126,10 @@ def _draw_forces(axes: Sequence[Any], columns: dict[str, np.ndarray]) -> None:
     axes[2].set_xlabel(DEGREES)
 
 
-def wear(parameters: Parameters, speed: float, tell: Tell) -> Chapter:
+def wear(parameters: Parameters, speed: float, progress: Progress) -> Chapter:
     """Return the depth over the cycles of the three techniques."""
     lives = {
-        kind: whole_life(parameters, speed, CYCLES, kind, tolerance=TOLERANCE, progress=tell)
+        kind: whole_life(parameters, speed, CYCLES, kind, tolerance=TOLERANCE, progress=progress)
         for kind in NAMES
     }
     cycles, depths, errors = shared(lives)

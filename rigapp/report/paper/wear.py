@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rigapp_model.parameters import Parameters
     from rigapp_model.wear.life import Life
 
-Tell = Callable[[float], None]
+Progress = Callable[[float], None]
 CYCLES = 23_000  # range of the paper's Figs 13 and 15
 TOLERANCE = 1e-3  # line width of the figures
 # Straight lines between them deviate from the curve by less than a line width; between 1, 3, 10,
@@ -42,10 +42,10 @@ def whole_life(parameters: Parameters, speed: float, cycles: int, kind: str, **m
 
 
 def constant_and_evolving(
-    parameters: Parameters, speed: float, name: str, bushing: str, tell: Tell
+    parameters: Parameters, speed: float, name: str, bushing: str, progress: Progress
 ) -> Chapter:
     """Return Fig. 15 for a bushing: depth over cycles of three kinematics, and two differences."""
-    fine, coarse = (_lives(parameters, speed, error, tell) for error in (TOLERANCE, COARSER))
+    fine, coarse = (_lives(parameters, speed, error, progress) for error in (TOLERANCE, COARSER))
     cycles, depth, _ = shared(fine)
     effects = {
         "wear": depth["evolving"] - depth["constant"],
@@ -96,7 +96,9 @@ def constant_and_evolving(
     )
 
 
-def _lives(parameters: Parameters, speed: float, tolerance: float, tell: Tell) -> dict[str, Life]:
+def _lives(
+    parameters: Parameters, speed: float, tolerance: float, progress: Progress
+) -> dict[str, Life]:
     """Return the three lives."""
     return {
         kind: whole_life(
@@ -106,7 +108,7 @@ def _lives(parameters: Parameters, speed: float, tolerance: float, tell: Tell) -
             technique,
             tolerance=tolerance,
             evolving=kind == "evolving",
-            progress=tell,
+            progress=progress,
             rows=ROWS,
         )
         for kind, (technique, _) in KINDS.items()
