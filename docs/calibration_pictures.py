@@ -73,8 +73,8 @@ def _opened(line: Line, folder: Path, rig: Path, application: Any, **more: Any) 
     from rigapp.gui.wizard.wizard import CalibrationWizard
     from rigapp.presentation.tokens import LIGHT
 
-    mine = Rig("Simulated slider-crank", True, "E. Sample", rig)
-    wizard = CalibrationWizard(line, mine, LIGHT, folder, **more)
+    virtual_rig = Rig("Simulated slider-crank", True, "E. Sample", rig)
+    wizard = CalibrationWizard(line, virtual_rig, LIGHT, folder, **more)
     wizard.resize(1040, 820)
     wizard.show()
     yield wizard, partial(_pump, wizard, line, application)

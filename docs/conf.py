@@ -16,10 +16,10 @@ PACKAGES = {
     "drivers/rigapp_drivers": ["drivers/rigapp_drivers/*simulat*.py"],
     # Of the application: schema, stored data, and the interface for analysis. Re-exports of
     # rigapp.model and others are documented where they are defined.
-    "rigapp": [f"rigapp/{one.name}" for one in (ROOT / "rigapp").iterdir()],
+    "rigapp": [f"rigapp/{path.name}" for path in (ROOT / "rigapp").iterdir()],
 }
 SHOWN = ("schema", "analysis", "__init__.py")
-PACKAGES["rigapp"] = sorted(set(PACKAGES["rigapp"]) - {f"rigapp/{one}" for one in SHOWN})
+PACKAGES["rigapp"] = sorted(set(PACKAGES["rigapp"]) - {f"rigapp/{name}" for name in SHOWN})
 
 project = "rigapp"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.apidoc"]

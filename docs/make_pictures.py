@@ -97,11 +97,11 @@ def _screen() -> tuple[subprocess.Popen[bytes], str]:
 def _take_all() -> None:
     from rigapp.service.launch import attach
 
-    found = subprocess.run(
+    result = subprocess.run(
         ["xdotool", "search", "--sync", "--onlyvisible", "--name", "rigapp"],
         check=True, capture_output=True, text=True, timeout=200,
     )  # fmt: skip
-    identity = found.stdout.split()[-1]
+    identity = result.stdout.split()[-1]
     client = attach(ROOT / "examples/simulated.toml")
     deadline = time.monotonic() + 400.0
     while client.request("status").result["revolution"] < REVOLUTIONS:

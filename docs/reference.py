@@ -60,15 +60,15 @@ def key_reference() -> str:
     ]
     files = dict.fromkeys(subject.settings for subject in SUBJECTS.values())
     for kind in filter(None, files):
-        verbs = [name for name, one in SUBJECTS.items() if one.settings is kind]
+        verbs = [name for name, subject in SUBJECTS.items() if subject.settings is kind]
         title = f"Settings of a calibration: {', '.join(verbs)}"
         parts.append(_keys(title, kind, table["calibration"]))
     messages = "Messages: notify.toml, and these tables of a rig file"
     parts.append(_keys(messages, NotifyFile, table["notify"]))
     parts.append(_keys("Reports: report.toml", ReportFile, table["report"]))
     parts.append(_keys("Study file", StudyFile, table["study"]))
-    for name, one in KINDS.items():
-        parts.append(_keys(f"Study file: [run] of kind {name}", one.settings, table["study_run"]))
+    for name, study in KINDS.items():
+        parts.append(_keys(f"Study file: [run] of kind {name}", study.settings, table["study_run"]))
     return "\n".join(parts)
 
 
@@ -89,9 +89,9 @@ def _settings() -> Iterator[str]:
     for name in available_drivers():
         info = load_driver(name)
         rows = [
-            f"| `{key}` | {WORDS_OF_TYPES.get(one.kind, 'value')} | `{toml_value(one.default)}` |"
-            f" {_cell(one.sentence)} |"
-            for key, one in info.settings.items()
+            f"| `{key}` | {WORDS_OF_TYPES.get(spec.kind, 'value')} | `{toml_value(spec.default)}` |"
+            f" {_cell(spec.sentence)} |"
+            for key, spec in info.settings.items()
         ]
         title = f"## Rig file: settings of the driver {name}\n"
         yield "\n".join([title, *KEY_HEAD, *rows, ""])
@@ -133,7 +133,9 @@ def _verbs(group: Any, path: str) -> Iterator[str]:
 
 def _options(verb: Any) -> str:
     context = verb.make_context(verb.name, [], resilient_parsing=True)
-    records = [found for one in verb.params if (found := one.get_help_record(context))]
+    records = [
+        record for parameter in verb.params if (record := parameter.get_help_record(context))
+    ]
     lines = [f"| `{_cell(flag)}` | {_cell(words)} |" for flag, words in records]
     return "\n".join(["| option | |", "| --- | --- |", *lines, ""]) if lines else ""
 

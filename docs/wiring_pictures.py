@@ -99,7 +99,7 @@ def pictures() -> dict[str, str]:
 
 def drawn(boxes: Sequence[Box]) -> str:
     """Return boxes and wires as SVG."""
-    heights = [HEAD + ROW * len(one.terminals) for one in boxes]
+    heights = [HEAD + ROW * len(box.terminals) for box in boxes]
     total = sum(heights) + GAP * (len(boxes) + 1)
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total}"'
@@ -119,19 +119,19 @@ def _box(box: Box, top: int, height: int) -> Iterator[str]:
         ' fill="#F1F3F5" stroke="#868F9B"/>'
     )
     yield _text(LEFT + 14, top + 22, box.title, "#171B21", weight="bold")
-    for number, one in enumerate(box.terminals):
+    for number, terminal in enumerate(box.terminals):
         middle = top + HEAD + ROW * number + ROW // 2 - 3
         yield (
             f'<rect x="20" y="{middle - 10}" width="{SENSOR}" height="20" rx="4"'
             ' fill="#FFFFFF" stroke="#C3C9D1"/>'
         )
-        yield _text(28, middle + 5, one.part, "#171B21")
+        yield _text(28, middle + 5, terminal.part, "#171B21")
         yield (
-            f'<path d="M {20 + SENSOR} {middle} H {LEFT}" stroke="{one.colour}"'
+            f'<path d="M {20 + SENSOR} {middle} H {LEFT}" stroke="{terminal.colour}"'
             ' stroke-width="2" fill="none"/>'
         )
-        yield f'<circle cx="{LEFT}" cy="{middle}" r="4" fill="{one.colour}"/>'
-        yield _text(LEFT + 14, middle + 5, one.terminal, "#4A535F")
+        yield f'<circle cx="{LEFT}" cy="{middle}" r="4" fill="{terminal.colour}"/>'
+        yield _text(LEFT + 14, middle + 5, terminal.terminal, "#4A535F")
 
 
 def _text(left: int, base: int, words: str, colour: str, weight: str = "normal") -> str:

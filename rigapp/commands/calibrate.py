@@ -242,8 +242,8 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
             f" and {agree}."
         )
     if signer:
-        whose = "" if public_key else "; give --public-key to see whether it is the laboratory's"
-        print(f"It is signed by the key {signer}{whose}.")
+        hint = "" if public_key else "; give --public-key to see whether it is the laboratory's"
+        print(f"It is signed by the key {signer}{hint}.")
     for note in (*verification.unverified, *(() if signer else (UNSIGNED,))):
         print(f"note: {note}")
     for difference in against:

@@ -277,11 +277,11 @@ def identity_words(inquiry: Inquiry) -> str:
     """Return the identity of the device, with the values for a rig file."""
     answer = inquiry.answer
     assert answer is not None
-    who = answer.identity
-    words = [" ".join(part for part in (who.maker, who.model) if part)]
-    words += [f"firmware {who.firmware}"] if who.firmware else []
-    words += [f"serial number {who.serial_number}"] if who.serial_number else []
-    words += [f"{key.replace('_', ' ')} {value}" for key, value in who.details.items()]
+    identity = answer.identity
+    words = [" ".join(part for part in (identity.maker, identity.model) if part)]
+    words += [f"firmware {identity.firmware}"] if identity.firmware else []
+    words += [f"serial number {identity.serial_number}"] if identity.serial_number else []
+    words += [f"{key.replace('_', ' ')} {value}" for key, value in identity.details.items()]
     words += [f"{answer.baud_rate} baud"] if answer.baud_rate is not None else []
     return f"{', '.join(words)} (driver {answer.driver})"
 

@@ -100,8 +100,12 @@ def _recorded_reason(reason: str, planned: int, operator: str) -> str:
     A file has only the English text; texts of the operator stay unchanged.
     """
     done = say("The planned {} revolutions are made and recorded.", planned)
-    who = capitalised(operator) or say("The operator")
-    for ended in (done, say("{} stopped the test", who), say("{} switched the drive off", who)):
+    subject = capitalised(operator) or say("The operator")
+    for ended in (
+        done,
+        say("{} stopped the test", subject),
+        say("{} switched the drive off", subject),
+    ):
         if reason.startswith(ended):
             return ended + reason[len(ended) :]
     return reason
@@ -199,13 +203,13 @@ def _with_details(result: TestResult, test: TestReader) -> TestResult:
     from rigapp_calibration.load_cell.force_uncertainty import force_uncertainty
 
     stated = force_uncertainty(test.calibration(), test.configuration())
-    doubt = float("nan")
+    uncertainty_N = float("nan")
     if stated is not None and np.isfinite(result.force_max_N):
-        doubt = float(stated.at(result.force_max_N, of_magnitude=True))
+        uncertainty_N = float(stated.at(result.force_max_N, of_magnitude=True))
     reason, events = "" if result.coefficient > 0.0 else _why_no_coefficient(test), test.events()
     return msgspec.structs.replace(
         result,
-        force_uncertainty_N=doubt,
+        force_uncertainty_N=uncertainty_N,
         alarms=_alarms(events),
         coefficient_reason=reason,
     )
@@ -247,8 +251,8 @@ def step_numbers(sequence: Sequence, revolutions: NDArray[np.int64]) -> NDArray[
     """Return the number of the step of each revolution, both of shape (n,)."""
     ends, loop = np.array(sequence.ends), sequence.loop
     rounds = np.maximum(0, -(-(revolutions - ends[-1]) // loop))
-    places = np.searchsorted(ends, revolutions - rounds * loop)
-    return np.asarray(places + 1, np.int64)
+    indices = np.searchsorted(ends, revolutions - rounds * loop)
+    return np.asarray(indices + 1, np.int64)
 
 
 def main(arguments: list[str]) -> int:

@@ -199,12 +199,12 @@ def wear_of(reader: TestReader) -> SpecimenWear | None:
     names = ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
     stop = None if until is None else rows_up_to(reader, until, "prediction")
     table = newest_known(reader, names, FITTED, stop)
-    number, depth, doubt = (table[name].astype(float) for name in names)
+    number, depth, uncertainty = (table[name].astype(float) for name in names)
     if not (rows and number.size):
         return worn
     last = int(reader.column("revolution", rows - 1)[0]) if until is None else until
     line = np.polyfit(number - last, 1e3 * depth, 1 if number.size > 2 else 0)
-    return SpecimenWear(str(reader.path), last, float(line[-1]), 1e3 * float(doubt[-1]))
+    return SpecimenWear(str(reader.path), last, float(line[-1]), 1e3 * float(uncertainty[-1]))
 
 
 def compare(

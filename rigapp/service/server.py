@@ -247,7 +247,7 @@ class Server:
         self._on_failure = on_failure
         self._on_viewers = on_viewers
         self._waits = waits
-        self._told = False
+        self._failure_reported = False
         self._snapshots = snapshots
         self._context = zmq.Context()
         self._key_check = KeyCheck(self._context, keys) if keys is not None else None
@@ -409,8 +409,8 @@ class Server:
         try:
             body = encode(self._snapshots())
         except Exception as error:
-            if not self._told:
-                self._told = True
+            if not self._failure_reported:
+                self._failure_reported = True
                 self._on_failure(say("No snapshot could be made for windows ‹{}›.", repr(error)))
             return
         lost = set()

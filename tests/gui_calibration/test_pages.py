@@ -125,7 +125,7 @@ def test_probe_and_spindle_are_measured_and_drawn(qtbot: Any, tmp_path: Path) ->
     scene = page.picture.scene
     assert isinstance(scene, ProbeScene)
     assert scene.probe == 2
-    assert scene.felt_um == pytest.approx(scene.position_um, abs=60.0)
+    assert scene.indicated_um == pytest.approx(scene.position_um, abs=60.0)
     assert page.measured.value.whole.endswith(" µm")
     assert primary(wizard) == ["probe_record"]
     wizard.dress(DARK)

@@ -167,8 +167,8 @@ class WearProfilePanel(PlotPanel):
             return
         seen = np.isfinite(profile.measured)
         angle, depth = RECORDED_DEG[seen], UM_PER_MM * profile.measured[seen]
-        doubt = UM_PER_MM * profile.uncertainty[seen]
-        self._band.setData(angle, np.maximum(depth - doubt, 0.0), depth + doubt)
+        uncertainty = UM_PER_MM * profile.uncertainty[seen]
+        self._band.setData(angle, np.maximum(depth - uncertainty, 0.0), depth + uncertainty)
 
     def _show_entries(self, measured: Entry, model: Entry, words: str) -> None:
         """Label both curves at their largest depth, and show the measured depth."""

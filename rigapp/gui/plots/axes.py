@@ -53,8 +53,8 @@ class QuietAxis(pg.AxisItem):  # type: ignore[misc]
         )
         most = min(MOST_TICKS, int(size / apart))
         low, high = self.range
-        step, places = round_places(low, high, max(most, 2), 2 if self.flat else 3)
-        return [(at, axis_number(at, step)) for at in places]
+        step, values = round_places(low, high, max(most, 2), 2 if self.flat else 3)
+        return [(at, axis_number(at, step)) for at in values]
 
     def wheelEvent(self, event: Any) -> None:
         """Ignore the wheel, so that the plot receives it."""

@@ -186,13 +186,13 @@ class ForecastPanel(PlotPanel):
         remains = [f"{number.title}: {number.value} · {number.detail}" for number in remaining]
         self.remains.setVisible(bool(remains))
         self.remains.show_text("".join(remains))
-        lacking = status is not None and not news.is_replay and probes_lack_record(status)
-        why = "" if remains else tr(NO_RECORD) if lacking else self._reader.sentence
+        record_missing = status is not None and not news.is_replay and probes_lack_record(status)
+        why = "" if remains else tr(NO_RECORD) if record_missing else self._reader.sentence
         if not why and not remains and len(news.data.rows):
             why = tr("The forecast is being computed …")
         self.why.setText(why)
         self.why.setVisible(bool(why))
-        self.mend.setVisible(lacking and not remains)
+        self.mend.setVisible(record_missing and not remains)
 
 
 def probes_lack_record(status: Status) -> bool:

@@ -113,14 +113,14 @@ def spread(wanted: Sequence[float], room: float, low: float, high: float) -> lis
     """
     order = sorted(range(len(wanted)), key=lambda index: wanted[index])
     room = min(room, (high - low) / max(len(wanted) - 1, 1))
-    places = [0.0] * len(wanted)
+    positions = [0.0] * len(wanted)
     last = low - room
     for index in order:
-        last = places[index] = max(wanted[index], last + room)
+        last = positions[index] = max(wanted[index], last + room)
     last = high + room
     for index in reversed(order):
-        last = places[index] = min(places[index], last - room)
-    return places
+        last = positions[index] = min(positions[index], last - room)
+    return positions
 
 
 @cache
@@ -209,20 +209,20 @@ def _limit_colour(limit: LimitLine, theme: Theme) -> str:
     return theme.ink(limit.level, theme.secondary)
 
 
-def _clear_first(places: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]) -> list[QRectF]:
+def _clear_first(boxes: Sequence[QRectF], curves: Sequence[tuple[Floats, Floats]]) -> list[QRectF]:
     """Return rectangles ordered by the number of curve points in them, the fewest first.
 
     curves: x and y of each on the screen, arrays (n,).
     """
-    points = np.zeros(len(places), np.int64)
+    points = np.zeros(len(boxes), np.int64)
     for x, y in curves:
         points += [
             np.count_nonzero(
                 (x >= box.left()) & (x <= box.right()) & (y >= box.top()) & (y <= box.bottom())
             )
-            for box in places
+            for box in boxes
         ]
-    return [places[index] for index in np.argsort(points, kind="stable")]
+    return [boxes[index] for index in np.argsort(points, kind="stable")]
 
 
 def paint_limit_words(
@@ -246,8 +246,8 @@ def paint_limit_words(
             at = frame.y(limit.value)
             tops = (at - height, at) if limit.below else (at, at - height)
             text, colour = f"{MARKS[limit.level]}{limit.words}", _limit_colour(limit, theme)
-            places = _clear_first(_along(frame.rect, metrics, text, tops), curves)
-            _words(painter, frame, text, colour, places, taken, _ground(theme))
+            boxes = _clear_first(_along(frame.rect, metrics, text, tops), curves)
+            _words(painter, frame, text, colour, boxes, taken, _ground(theme))
 
 
 def paint_next_limits(
@@ -276,8 +276,8 @@ def paint_next_limits(
     ):
         if edge is not None:
             text = f"{edge.words} {caret}"
-            places = _clear_first(_along(rect, metrics, text, tops)[::-1], curves)
-            _words(painter, frame, text, theme.muted, places, taken, _ground(theme))
+            boxes = _clear_first(_along(rect, metrics, text, tops)[::-1], curves)
+            _words(painter, frame, text, theme.muted, boxes, taken, _ground(theme))
 
 
 def _along(rect: QRectF, metrics: QFontMetrics, text: str, tops: Sequence[float]) -> list[QRectF]:
@@ -292,13 +292,13 @@ def _words(
     frame: PlotFrame,
     text: str,
     colour: str,
-    places: Iterable[QRectF],
+    boxes: Iterable[QRectF],
     taken: list[QRectF],
     ground: QColor | None = None,
 ) -> None:
     """Write a text in the first free rectangle; ground: background painted over the curves."""
     rect = frame.rect.adjusted(0, -1, 0, 1)
-    for box in places:
+    for box in boxes:
         if rect.contains(box) and not any(box.intersects(other) for other in taken):
             taken.append(box)
             if ground is not None:
@@ -340,13 +340,13 @@ def paint_cursor(painter: QPainter, frame: PlotFrame, at: float, text: str, them
 
 
 def paint_readout(
-    painter: QPainter, frame: PlotFrame, places: Sequence[float], rows: Sequence[Sequence[str]],
+    painter: QPainter, frame: PlotFrame, positions: Sequence[float], rows: Sequence[Sequence[str]],
     theme: Theme,
 ) -> None:  # fmt: skip
     """Paint two cursors, numbered at their upper ends, and the table of their readings."""
     font, metrics = small_font(strong=True)
     painter.setFont(font)
-    for number, at in enumerate(places, 1):
+    for number, at in enumerate(positions, 1):
         if frame.x_range[0] <= at <= frame.x_range[1]:
             painter.setPen(line_pen(theme.highlight))
             x = frame.x(at)
@@ -358,7 +358,7 @@ def paint_readout(
     ]
     height = metrics.height()
     left, top = frame.rect.left() + STEP, frame.rect.top() + STEP
-    if places and frame.x(places[0]) - left < sum(widths) + STEP:
+    if positions and frame.x(positions[0]) - left < sum(widths) + STEP:
         left = max(left, frame.rect.right() - sum(widths) - STEP)
     box = QRectF(left, top, sum(widths) + STEP, len(rows) * height + STEP)
     ground = QColor(theme.base)
@@ -393,19 +393,19 @@ def paint_spots(
         y = min(max(y, rect.top() + size), rect.bottom() - size)
         if over or under:
             tip = y - size if over else y + size
-            wings = [QPointF(x + way * size, 2 * y - tip) for way in (-1, 1)]
+            wings = [QPointF(x + side * size, 2 * y - tip) for side in (-1, 1)]
             painter.drawPolyline(QPolygonF([wings[0], QPointF(x, tip), wings[1]]))
         else:
             painter.setBrush(QColor(theme.base))
             painter.drawEllipse(QPointF(x, y), size, size)
         width, height = float(metrics.horizontalAdvance(spot.text)), float(metrics.height())
-        places = [
+        boxes = [
             QRectF(left, top, width, height)
             for top in (y - size - height, y - size, y + size)
             for left in (x + STEP, x - STEP - width)
         ]
         taken.append(QRectF(x - size, y - size, 2 * size, 2 * size))
-        _words(painter, frame, spot.text, colour.name(), places, taken, _ground(theme))
+        _words(painter, frame, spot.text, colour.name(), boxes, taken, _ground(theme))
 
 
 def _ground(theme: Theme) -> QColor:

@@ -258,9 +258,9 @@ class TrendPanel(PlotPanel):
 
     def _written(self, value: float, table: SeriesTable, line: TrendLine) -> str:
         """Return a value with its unit, and its uncertainty or age where known."""
-        doubt = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
-        if np.isfinite(doubt):
-            return true_minus(with_uncertainty(value, doubt, self.quantity.unit))
+        uncertainty = self.quantity.scale * self._value(table, line.doubt) if line.doubt else np.nan
+        if np.isfinite(uncertainty):
+            return true_minus(with_uncertainty(value, uncertainty, self.quantity.unit))
         age_s = self._value(table, line.age) if line.age else np.nan
         old = tr(", {} old", duration(age_s)) if np.isfinite(age_s) else ""
         return true_minus(f"{value:.4g} {self.quantity.unit}".rstrip()) + old

@@ -57,8 +57,8 @@ def _number(value: float, digits: int = 1) -> str:
 
 
 def _depth(result: TestResult) -> str:
-    doubt = result.depth_uncertainty_um
-    sure = f" ± {doubt:.1f}" if math.isfinite(doubt) else ""
+    uncertainty = result.depth_uncertainty_um
+    sure = f" ± {uncertainty:.1f}" if math.isfinite(uncertainty) else ""
     return _number(result.depth_um) + sure
 
 
@@ -377,8 +377,8 @@ class ResultTable(QTableView):
 
     def chosen_paths(self) -> list[str]:
         """Return the selected files in the order shown."""
-        places = sorted({index.row() for index in self.selectionModel().selectedRows()})
-        return [self.rows.rows[at][0] for at in places]
+        rows = sorted({index.row() for index in self.selectionModel().selectedRows()})
+        return [self.rows.rows[at][0] for at in rows]
 
     def choose(self, paths: set[str]) -> None:
         """Select files."""

@@ -159,8 +159,8 @@ def get_path(tree: Mapping[str, Any], path: str) -> Any:
 
 def set_path(tree: dict[str, Any], path: str, value: Any) -> None:
     """Set the value at a dotted path, creating missing tables."""
-    *way, last = path.split(".")
-    for key in way:
+    *parents, last = path.split(".")
+    for key in parents:
         tree = tree.setdefault(key, {})
     tree[last] = value
 

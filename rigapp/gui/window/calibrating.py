@@ -208,12 +208,12 @@ class CalibrationGuide(QObject):
         """Update which calibration occupies the rig; close the own one when ended elsewhere."""
         running = status.engine.calibration
         self.end_bar.take_status(status)
-        ours = running is not None and running.since == self._since
-        if self._occupies and not ours and self.wizard is not None:
+        own = running is not None and running.since == self._since
+        if self._occupies and not own and self.wizard is not None:
             self.wizard.reject()
             text: Text = "The calibration was ended elsewhere. All readings are kept."
             self.reported.emit(tr(text), False)
-        self._occupies = ours and self.wizard is not None
+        self._occupies = own and self.wizard is not None
 
     def _begun(self, key: str, reply: Reply) -> None:
         """Open the wizard when this calibration occupies the rig, else report why not."""

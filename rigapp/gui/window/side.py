@@ -258,8 +258,8 @@ class MarginBar(QProgressBar):
         tick = round(TICK * self.width())
         share = 1.0 if self.passed else TICK * self.value() / self.maximum()
         painter.fillRect(0, 2, self.width(), 4, QColor(theme.track))
-        way = QColor((theme.bar, theme.warning, theme.critical)[self.level])
-        painter.fillRect(0, 2, round(share * self.width()), 4, way)
+        colour = QColor((theme.bar, theme.warning, theme.critical)[self.level])
+        painter.fillRect(0, 2, round(share * self.width()), 4, colour)
         painter.fillRect(tick, 0, 2, self.height(), QColor(theme.text))
         painter.end()
 

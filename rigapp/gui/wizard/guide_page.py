@@ -113,8 +113,10 @@ class GuidePage(QWizardPage):
             self._asking.setMinimumHeight(0 if low else self._lines * line)
         for layout, least in self._pairs:
             narrow = width < least
-            way = QBoxLayout.Direction.TopToBottom if narrow else QBoxLayout.Direction.LeftToRight
-            layout.setDirection(way)
+            direction = (
+                QBoxLayout.Direction.TopToBottom if narrow else QBoxLayout.Direction.LeftToRight
+            )
+            layout.setDirection(direction)
         for picture in self.findChildren(Picture):
             picture.setVisible(not low)
             picture.stay_within(height - ABOVE_AND_BELOW)

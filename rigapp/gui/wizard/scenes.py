@@ -259,14 +259,14 @@ class LevelScene:
 class ProbeScene:
     """A probe, its target on the micrometer, and the position to set, um.
 
-    felt_um: the target's position by the calibration in use, NaN when not known. back: the
+    indicated_um: the target's position by the calibration in use, NaN when not known. back: the
     micrometer is first turned back past the position.
     """
 
     probe: int
     position_um: float
     reach_um: float
-    felt_um: float = math.nan
+    indicated_um: float = math.nan
     back: bool = False
 
     def paint(self, brush: Brush, room: QRectF) -> None:
@@ -311,9 +311,9 @@ class ProbeScene:
             text = f"{share * self.reach_um:+g}" if share else "0"
             below = QPointF(x, level + 2.0 * STEP)
             brush.words(below, text.replace("-", "\u2212"), theme.muted)
-        if math.isfinite(self.felt_um):
+        if math.isfinite(self.indicated_um):
             brush.pen(theme.text, fill=theme.base)
-            brush.disc(QPointF(middle + 2.0 * unit * self._share(self.felt_um), level), 5.0)
+            brush.disc(QPointF(middle + 2.0 * unit * self._share(self.indicated_um), level), 5.0)
         x = middle + 2.0 * unit * self._share(self.position_um)
         brush.pen(theme.highlight, fill=theme.highlight)
         brush.disc(QPointF(x, level), 3.0)

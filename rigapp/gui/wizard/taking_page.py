@@ -344,11 +344,11 @@ class TakingPage(GuidePage):
         if readiness is None:
             self.measured.show_value("")
             return
-        felt = f"{words.factor * readiness.felt:.1f} {words.unit}".replace("-", "\u2212")
+        text = f"{words.factor * readiness.felt:.1f} {words.unit}".replace("-", "\u2212")
         wanted = ""
         if not session.procedure.done and session.procedure.step.kind is not StepKind.SET_UP:
             wanted = tr("It should be {:.1f} {}", words.factor * session.expected(), words.unit)
-        self.measured.show_value(felt, wanted.replace("-", "\u2212"))
+        self.measured.show_value(text, wanted.replace("-", "\u2212"))
 
     def _show_scene(self) -> None:
         live, scene = self.live_calibration, None

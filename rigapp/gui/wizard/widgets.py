@@ -213,8 +213,8 @@ class MeasuredCard(QFrame):
 
     def make_room(self, *, low: bool) -> None:
         """Place the stability beside the number, instead of below it, on a low page."""
-        way = QBoxLayout.Direction.LeftToRight if low else QBoxLayout.Direction.TopToBottom
-        self._halves.setDirection(way)
+        direction = QBoxLayout.Direction.LeftToRight if low else QBoxLayout.Direction.TopToBottom
+        self._halves.setDirection(direction)
         self._halves.setContentsMargins(MARGIN, STEP, MARGIN, STEP)
         self._halves.setSpacing(STEP)
         self.caption.setHidden(low)

@@ -184,16 +184,16 @@ def _apart(wanted: Sequence[float], heights: Sequence[float]) -> list[float]:
 
     First each is moved up by the one below it; then those beyond the axes move the others down.
     """
-    places = [0.0 if math.isnan(height) else height for height in wanted]
-    order = sorted(range(len(places)), key=lambda index: places[index])
+    positions = [0.0 if math.isnan(height) else height for height in wanted]
+    order = sorted(range(len(positions)), key=lambda index: positions[index])
     floor = -math.inf
     for index in order:
         half = heights[index] / 2.0
-        places[index] = max(places[index], floor + half)
-        floor = places[index] + half
+        positions[index] = max(positions[index], floor + half)
+        floor = positions[index] + half
     ceiling = max(1.0, min(floor, 1.0 + heights[order[-1]] / 2.0)) if order else 1.0
     for index in reversed(order):
         half = heights[index] / 2.0
-        places[index] = min(places[index], ceiling - half)
-        ceiling = places[index] - half
-    return places
+        positions[index] = min(positions[index], ceiling - half)
+        ceiling = positions[index] - half
+    return positions

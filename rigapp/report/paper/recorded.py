@@ -162,11 +162,11 @@ def profile(reader: TestReader) -> Chapter | None:
     columns["uncertainty_mm"] = result.uncertainty
 
     def draw(axes: Sequence[Any]) -> None:
-        measured, doubt = result.curves["measured"], result.uncertainty
+        measured, uncertainty = result.curves["measured"], result.uncertainty
         axes[0].fill_between(
             result.angle,
-            np.maximum(measured - doubt, 0.0),
-            measured + doubt,
+            np.maximum(measured - uncertainty, 0.0),
+            measured + uncertainty,
             color=COLOURS[1],
             alpha=0.2,
             lw=0,

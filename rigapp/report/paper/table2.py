@@ -125,8 +125,10 @@ def _rows(
     lives: Sequence[Life], sets: Sequence[Parameters], measured_area: float
 ) -> list[tuple[str, ...]]:
     """Return the table of the paper's numbers and those of the two lives."""
-    whose = ("simulation", "experiment")
-    head = (part for who in whose for part in (f"paper, {who}", f"this program, set for the {who}"))
+    kinds = ("simulation", "experiment")
+    head = (
+        part for kind in kinds for part in (f"paper, {kind}", f"this program, set for the {kind}")
+    )
     rows = [("", *head)]
 
     paper = (

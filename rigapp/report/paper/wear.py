@@ -52,7 +52,7 @@ def constant_and_evolving(
         "clearance": depth["constant"] - depth["perfect"],
         "both": depth["evolving"] - depth["perfect"],
     }
-    doubt = {
+    uncertainty = {
         effect: abs(_end(fine, *pair) - _end(coarse, *pair))
         for effect, pair in {
             "wear": ("evolving", "constant"),
@@ -88,7 +88,7 @@ def constant_and_evolving(
             "constant_less_perfect_mm": effects["clearance"],
             "evolving_less_perfect_mm": effects["both"],
         },
-        sentences=_sentences(fine, depth, effects, doubt),
+        sentences=_sentences(fine, depth, effects, uncertainty),
         draw=draw,
         words="wear depth over cycles by three kinematics, and two differences of them: by the"
         " clearance's growth alone, and by all of the clearance",
@@ -133,7 +133,7 @@ def _sentences(
     lives: dict[str, Life],
     depth: dict[str, np.ndarray],
     effects: dict[str, np.ndarray],
-    doubt: dict[str, float],
+    uncertainty: dict[str, float],
 ) -> tuple[str, ...]:
     end = {kind: float(values[-1]) for kind, values in depth.items()}
     last = {kind: float(values[-1]) for kind, values in effects.items()}
@@ -145,7 +145,7 @@ def _sentences(
         change = last[kind]
         return (
             f"{abs(change):.3g} mm ({100.0 * abs(change) / of:.2g} %)"
-            f" {'more' if change > 0.0 else 'less'}, known to {doubt[kind]:.1g} mm"
+            f" {'more' if change > 0.0 else 'less'}, known to {uncertainty[kind]:.1g} mm"
         )
 
     by_clearance, by_wear = 100.0 * (force[0] / before - 1.0), 100.0 * (force[-1] / force[0] - 1.0)

@@ -440,10 +440,10 @@ def step_section(reader: TestReader) -> list[Section]:
                 ),
             )
         )
-    judged = tr(
+    notes = tr(
         "Evaluated are revolutions at a steady speed, between the ramps and without a pause."
     )
-    return [Section(tr("Steps"), (Table("", tuple(table), tuple(map(tr, HEADER))), Text(judged)))]
+    return [Section(tr("Steps"), (Table("", tuple(table), tuple(map(tr, HEADER))), Text(notes)))]
 
 
 def _residuals(reader: TestReader, revolutions: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -451,9 +451,9 @@ def _residuals(reader: TestReader, revolutions: NDArray[np.int64]) -> NDArray[np
     result = np.full(len(revolutions), np.nan)
     table = StoredColumns(reader, "prediction")
     if "residual_rms" in table:
-        places = np.searchsorted(revolutions, table["revolution"].astype(np.int64))
-        inside = places < len(revolutions)
+        indices = np.searchsorted(revolutions, table["revolution"].astype(np.int64))
+        inside = indices < len(revolutions)
         same = inside.copy()
-        same[inside] = revolutions[places[inside]] == table["revolution"][inside]
-        result[places[same]] = table["residual_rms"][same]
+        same[inside] = revolutions[indices[inside]] == table["revolution"][inside]
+        result[indices[same]] = table["residual_rms"][same]
     return result

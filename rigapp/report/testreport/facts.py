@@ -308,15 +308,15 @@ def gaps_of(reader: TestReader) -> tuple[Gap, ...]:
 
 def _gaps(table: _Table, number: RowNumbers, quality: NDArray[np.int32]) -> tuple[Gap, ...]:
     flagged = np.flatnonzero(quality & int(Flag.GAP_BEFORE) != 0)
-    places = np.union1d(flagged, number.breaks[1:])
-    if not places.size:
+    indices = np.union1d(flagged, number.breaks[1:])
+    if not indices.size:
         return ()
-    before = np.maximum(places - 1, 0)
-    lost, speed = (table.column(name)[places] for name in ("lost_samples", "speed"))
+    before = np.maximum(indices - 1, 0)
+    lost, speed = (table.column(name)[indices] for name in ("lost_samples", "speed"))
     host = table.column("host_time")
-    waited = host[places] - host[before]
+    waited = host[indices] - host[before]
     result = []
-    for at, row in enumerate(places.tolist()):
+    for at, row in enumerate(indices.tolist()):
         turn = 60.0 / abs(speed[at]) if speed[at] else 0.0
         seconds = float(waited[at] - turn) if row else float("nan")
         step = int(number[row] - number[row - 1]) if row else 1

@@ -84,8 +84,8 @@ def number(value: float, unit: str = "1", digits: int | None = None) -> str:
     """Return a value with the decimal places of its unit; not finite: unknown."""
     if not math.isfinite(value):
         return tr(UNKNOWN)
-    places = DECIMALS.get(unit, 3) if digits is None else digits
-    text = f"{value:.{places}f}"
+    decimals = DECIMALS.get(unit, 3) if digits is None else digits
+    text = f"{value:.{decimals}f}"
     return text.lstrip("-") if float(text) == 0.0 else text
 
 

@@ -194,12 +194,12 @@ def _moments(
     table = StoredColumns(reader, "prediction")
     read = np.isfinite(table["measured_wear_depth"])
     revolutions = table["revolution"][read].astype(np.float64) + before
-    doubt = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
+    uncertainty = np.minimum.accumulate(0.5e-3 * table["measured_wear_depth_uncertainty"][read])
     result = []
     for closed_bin in bins:
         index = int(np.searchsorted(revolutions, closed_bin.revolution, side="right"))
         if index < revolutions.size and (after is None or revolutions[index] <= after + before):
-            result.append(_Moment(float(revolutions[index]), float(doubt[index])))
+            result.append(_Moment(float(revolutions[index]), float(uncertainty[index])))
     if not result:
         raise NotIdentifiable(NO_BIN)
     return result

@@ -36,9 +36,9 @@ def draw_depth(axes: Any, test: IdentifiedTest, known: Identification) -> None:
             band.revolution, 1e6 * band.low, 1e6 * band.high, color=colour, alpha=0.25, lw=0
         )
         axes.plot(band.revolution, 1e6 * band.median, color=colour, ls=(0, (4, 2)), label=label)
-    doubt = 2e6 * readings.noise
+    uncertainty = 2e6 * readings.noise
     axes.errorbar(
-        readings.revolution, 1e6 * readings.depth, yerr=doubt, fmt="o", ms=2.5, lw=0.8,
+        readings.revolution, 1e6 * readings.depth, yerr=uncertainty, fmt="o", ms=2.5, lw=0.8,
         color=COLOURS["force"], label="measured",
     )  # fmt: skip
     if test.left is not None:

@@ -213,11 +213,13 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
         )
         blocks += _cut(tr("Where data are missing"), table, header)
     if gaps:
-        rows_told = tuple(
+        rows_of_gaps = tuple(
             (utc(event.time), grouped(event.revolution), translate(event.text)) for event in gaps
         )
         blocks += _cut(
-            tr("What the log says"), rows_told, (tr("time, UTC"), tr("after revolution"), tr("gap"))
+            tr("What the log says"),
+            rows_of_gaps,
+            (tr("time, UTC"), tr("after revolution"), tr("gap")),
         )
     return tuple(blocks)
 

@@ -118,13 +118,13 @@ class Burst:
 def bursts_of(reader: TestReader) -> tuple[Burst, ...]:
     """Return the complete cycles stored by triggers, consecutive ones as one burst."""
     reasons = reader.cycle_reasons()
-    places = [i for i, why in enumerate(reasons) if why in TRIGGERED]
-    if not places:
+    indices = [i for i, why in enumerate(reasons) if why in TRIGGERED]
+    if not indices:
         return ()
     numbers = reader.cycle_revolutions()
     qualities = reader.cycle_qualities()
     result: list[Burst] = []
-    for index in places:
+    for index in indices:
         number, quality = int(numbers[index]), int(qualities[index])
         trigger = number if reasons[index] == "trigger" else 0
         newest = result[-1] if result else None
@@ -262,11 +262,11 @@ def cycles_of(reader: TestReader) -> tuple[CyclePicture, ...]:
     return cycles_at(reader, sorted({0, total // 2, total - 1}) if total else [])
 
 
-def cycles_at(reader: TestReader, places: Sequence[int]) -> tuple[CyclePicture, ...]:
+def cycles_at(reader: TestReader, indices: Sequence[int]) -> tuple[CyclePicture, ...]:
     """Return the saved cycles at some indices, each with its model curves."""
     curves, saved = reader.curve_revolutions(), reader.cycle_revolutions()
     result = []
-    for index in places:
+    for index in indices:
         following = int(saved[index + 1]) if index + 1 < len(saved) else None
         result.append(_picture(reader, index, following, curves))
     return tuple(result)

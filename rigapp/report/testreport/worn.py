@@ -121,8 +121,8 @@ def _stages(revolutions: NDArray[Any], measured: NDArray[Any]) -> tuple[tuple[in
         return ()
     numbers = revolutions[seen].astype(np.float64)
     wanted = np.geomspace(max(numbers[-1] / 100.0, numbers[0]), revolutions[-1], STAGES + 1)[:-1]
-    places = sorted({seen[int(np.argmin(np.abs(np.log(numbers / number))))] for number in wanted})
-    return tuple((int(revolutions[i]), np.asarray(measured[i], dtype=np.float64)) for i in places)
+    indices = sorted({seen[int(np.argmin(np.abs(np.log(numbers / number))))] for number in wanted})
+    return tuple((int(revolutions[i]), np.asarray(measured[i], dtype=np.float64)) for i in indices)
 
 
 def profile_blocks(worn: Worn | None) -> list[Block]:
@@ -170,8 +170,10 @@ def _sentence(worn: Worn) -> str:
         text += tr(" A run-out of {} µm was taken out.", number(worn.run_out, "um", 1))
     if np.isfinite(worn.approach_change):
         change = number(worn.approach_change, "um", 1)
-        took = tr("this was taken out") if worn.corrected else tr("this was left in")
-        text += tr(" By the model the elastic approach has changed by {} µm; {}.", change, took)
+        correction = tr("this was taken out") if worn.corrected else tr("this was left in")
+        text += tr(
+            " By the model the elastic approach has changed by {} µm; {}.", change, correction
+        )
     if not worn.centred and np.isfinite(worn.run_out):
         text += tr(
             " The zero of the probes is not at the bushing's centre, so the direction comes"
@@ -188,9 +190,9 @@ def picture(worn: Worn) -> Figure:
         for shade, (revolution, depth) in zip(shades, worn.stages, strict=False):
             axes.plot(worn.angle, 1e3 * depth, color=str(shade), lw=0.8, label=grouped(revolution))
         measured = 1e3 * worn.curves["measured"]
-        doubt = 1e3 * worn.uncertainty
+        uncertainty = 1e3 * worn.uncertainty
         axes.fill_between(
-            worn.angle, np.maximum(measured - doubt, 0.0), measured + doubt,
+            worn.angle, np.maximum(measured - uncertainty, 0.0), measured + uncertainty,
             color=plots.COLOURS["force"], alpha=0.15, lw=0,
         )  # fmt: skip
         axes.plot(worn.angle, measured, color=plots.COLOURS["force"], label="measured")

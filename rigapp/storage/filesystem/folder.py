@@ -17,7 +17,9 @@ SPACE_MARGIN = 32 << 20
 MEGABYTE = 1e6
 
 
-def refuse_little_space(folder: Path, path: Path, needed: int, who: str = say("the test")) -> None:
+def refuse_little_space(
+    folder: Path, path: Path, needed: int, subject: str = say("the test")
+) -> None:
     """Raise UnusableInput when a folder's disk has less than ``needed`` bytes and a margin free."""
     free = shutil.disk_usage(folder).free
     missing = needed + SPACE_MARGIN - free
@@ -28,7 +30,7 @@ def refuse_little_space(folder: Path, path: Path, needed: int, who: str = say("t
                 " space or store fewer cycles"
             ),
             path,
-            who,
+            subject,
             (needed + SPACE_MARGIN) / MEGABYTE,
             folder,
             free / MEGABYTE,

@@ -136,8 +136,8 @@ def trip_of(test: TestReader) -> Trip | None:
 def _forwards(cycle: StoredCycle) -> StoredCycle | None:
     """Return a revolution up to the first reversal of the crank; None without a force."""
     angle = cycle.columns["angle"]
-    back = np.flatnonzero(np.maximum.accumulate(angle) - angle > REVERSAL_DEG)
-    stop = int(back[0]) if back.size else len(angle)
+    reversals = np.flatnonzero(np.maximum.accumulate(angle) - angle > REVERSAL_DEG)
+    stop = int(reversals[0]) if reversals.size else len(angle)
     columns = {name: values[:stop] for name, values in cycle.columns.items()}
     return replace(cycle, columns=columns) if np.isfinite(columns["force"]).any() else None
 
@@ -248,10 +248,10 @@ def _tripped_at(trip: Trip, cycle: StoredCycle) -> float:
 def _speed_rpm(cycle: StoredCycle) -> NDArray[np.float64]:
     """Return the speed of the crank (n,), averaged over ``SPEED_OVER_DEG``."""
     angle, time = cycle.columns["angle"].astype(np.float64), cycle.columns["time"]
-    places = np.searchsorted(np.maximum.accumulate(angle), angle - SPEED_OVER_DEG)
-    took = time - time[places]
+    indices = np.searchsorted(np.maximum.accumulate(angle), angle - SPEED_OVER_DEG)
+    duration = time - time[indices]
     with np.errstate(invalid="ignore", divide="ignore"):
-        return np.where(took > 0.0, (angle - angle[places]) / took / 6.0, np.nan)
+        return np.where(duration > 0.0, (angle - angle[indices]) / duration / 6.0, np.nan)
 
 
 def _turned_s(trip: Trip, cycle: StoredCycle, zero: float) -> float:
