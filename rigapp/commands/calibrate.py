@@ -221,7 +221,7 @@ def verify_record(path: Path, public_key: Path | None = None, *, as_json: bool) 
         against.append(f"It {ahead}.")
     signer = "" if record.signature is None else fingerprint(record.signature.public_key)
     if public_key is not None:
-        against += _not_by(record, public_key)
+        against += _signature_faults(record, public_key)
     if as_json:
         tree = {
             "number": record.number,
@@ -302,7 +302,7 @@ def _read(path: Path) -> tuple[bytes, Record]:
         raise UnusableInput(f"{path}: {why}.") from error
 
 
-def _not_by(record: Record, public_key: Path) -> list[str]:
+def _signature_faults(record: Record, public_key: Path) -> list[str]:
     """Return why a record is not signed by a key, empty when it is."""
     try:
         wanted = public_key_of(read_bytes(public_key))

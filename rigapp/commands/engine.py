@@ -20,9 +20,9 @@ from rigapp.service.security import parse_bind
 from rigapp.service.simulated import parse_speed
 from rigapp.texts import sentence_of_error
 
-DEVICES_COME_S, DEVICES_PAUSE_S = 300.0, 15.0
+CONNECT_FOR_S, CONNECT_PERIOD_S = 300.0, 15.0
 """Time and period of attempts to connect after the computer's start, when devices may be late."""
-UNUSED_S = 60.0  # a window may be closed and opened again meanwhile
+IDLE_EXIT_S = 60.0  # a window may be closed and opened again meanwhile
 CLOSE_S = 120.0
 """Time limit of closing: stopping a running test may take 60 s, a notifier 30 s."""
 
@@ -32,12 +32,12 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
 
     bind: see ``security.parse_bind``. stay: run without viewers, for an engine started with the
     computer: it reports a test that was cut off, and tries for some minutes to connect its devices.
-    Without ``stay``, it ends after ``UNUSED_S`` without test and viewer.
+    Without ``stay``, it ends after ``IDLE_EXIT_S`` without test and viewer.
     """
     rig = read_rig(rig_path)
     host = EngineHost(rig, parse_speed(speed, rig), parse_bind(bind) if bind else None)
     with termination_signals() as signals:
-        Background(lambda: _connect_quietly(host, DEVICES_COME_S if stay else 0.0), "connect")
+        Background(lambda: _connect_quietly(host, CONNECT_FOR_S if stay else 0.0), "connect")
         if stay:
             host.warn_of_cut_off_test()
         unused_since = time.monotonic()
@@ -47,7 +47,7 @@ def serve(rig_path: Path, speed: str | None, bind: str | None = None, *, stay: b
                 settle(notice)
             if stay or host.watched or host.occupied:
                 unused_since = time.monotonic()
-            elif time.monotonic() - unused_since > UNUSED_S:
+            elif time.monotonic() - unused_since > IDLE_EXIT_S:
                 break
         close_host(host, signals)
     return 0
@@ -79,5 +79,5 @@ def _connect_quietly(host: EngineHost, patience_s: float = 0.0) -> None:
         except EXPECTED as error:
             print(f"rigapp engine: {indented(sentence_of_error(error))}", flush=True)
         untouched = host.engine.state in (RunState.IDLE, RunState.FAULT) and not host.watched
-        if not untouched or time.monotonic() > until or host.ended.wait(DEVICES_PAUSE_S):
+        if not untouched or time.monotonic() > until or host.ended.wait(CONNECT_PERIOD_S):
             return

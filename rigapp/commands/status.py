@@ -156,7 +156,7 @@ def _held(status: DriveStatus) -> str:
 
 PACKING_S = 120.0
 """Time limit for packing the recordings of all devices, each of some hundred megabytes at most."""
-LOOK_S = 0.2
+POLL_S = 0.2
 MARKS = {RecordKind.SENT: ">", RecordKind.RECEIVED: "<", RecordKind.NOTE: "#"}
 SHOWN_BYTES = 64
 
@@ -198,7 +198,7 @@ def report_lines(rig: Path, to: Path, seconds: float) -> int:
         while not (sentence := _report_sentence(client)):
             if time.monotonic() > deadline:
                 raise UnusableInput("{}: was not written in {:g} s.", file, PACKING_S)
-            time.sleep(LOOK_S)
+            time.sleep(POLL_S)
     finally:
         client.close()
     print(sentence)

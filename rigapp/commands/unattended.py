@@ -41,7 +41,7 @@ from rigapp.schema.wire import json_bytes
 from rigapp.service.registry import lasting_folder
 
 CONNECTING_S = 90.0
-LOOK_EVERY_S = 0.2
+POLL_S = 0.2
 
 
 def queue_tests(tests: Sequence[Path], rig: Path, folder: Path) -> int:
@@ -117,7 +117,7 @@ def _wait_for_devices(client: Any) -> None:
     while client.request("status").result["state"] in ("idle", "connecting"):
         if time.monotonic() > deadline:
             raise UnusableInput(f"The devices are not connected after {CONNECTING_S:g} s.")
-        time.sleep(LOOK_EVERY_S)
+        time.sleep(POLL_S)
 
 
 def _shown_queue(queue: Queue) -> int:
@@ -324,7 +324,7 @@ def install_rules(folder: Path | None = None) -> int:
     with whole_file(path) as part:
         part.write_text(text, "utf-8")
     print(f"Written: {path}")
-    done = [_ran("udevadm", *words) for words in (("control", "--reload"), ("trigger",))]
+    done = [_run_program("udevadm", *words) for words in (("control", "--reload"), ("trigger",))]
     if not all(done):
         print("Restart the computer, or plug the boxes in again, so that the rules are used.")
     return 0
@@ -369,10 +369,10 @@ def _owner(path: Path) -> str:
 
 def _systemctl(*arguments: str) -> bool:
     """Call the user's systemd; print the reason for a failure on standard error."""
-    return _ran("systemctl", "--user", *arguments)
+    return _run_program("systemctl", "--user", *arguments)
 
 
-def _ran(program: str, *arguments: str) -> bool:
+def _run_program(program: str, *arguments: str) -> bool:
     """Run a program of the system; print the reason for a failure on standard error."""
     command = " ".join((program, *arguments[:2]))
     if shutil.which(program) is None:

@@ -28,7 +28,7 @@ from rigapp.texts import say
 
 START_S = 180.0  # imports and compilation on a busy computer with a slow disk
 HELLO_S = 10.0  # far longer than the answer of a running engine
-LOOK_EVERY_S = 0.05  # not noticeable
+POLL_S = 0.05  # not noticeable
 
 
 def find_engine(rig: Path) -> EngineEntry | None:
@@ -76,7 +76,7 @@ def _engine_of(rig: Path) -> EngineEntry:
             return entry
         if not process_alive(pid):
             raise EngineUnreachable("The engine for {} ended at once: {}", rig, _last_words(log))
-        time.sleep(LOOK_EVERY_S)
+        time.sleep(POLL_S)
     raise EngineUnreachable(
         "The engine for {} is still starting after {:g} s ‹process {}›; wait for it{}.",
         rig,
@@ -115,5 +115,5 @@ def _one_at_a_time() -> Iterator[None]:
                     path,
                     HELLO_S,
                 )
-            time.sleep(LOOK_EVERY_S)
+            time.sleep(POLL_S)
         yield

@@ -140,7 +140,7 @@ class LastTest(msgspec.Struct, frozen=True):
 
 def remember(rig: Path, file: Path, specimen: str = "") -> None:
     """Store the file of a rig's test; a failure does not stop the test."""
-    before = _kept(rig)
+    before = _last_test(rig)
     specimens = before.specimens if before is not None else {}
     if specimen:
         specimens = {**specimens, specimen: str(file.resolve())}
@@ -152,7 +152,7 @@ def remember(rig: Path, file: Path, specimen: str = "") -> None:
         log.warning("the name of the last test is not kept: %s", error)
 
 
-def _kept(rig: Path) -> LastTest | None:
+def _last_test(rig: Path) -> LastTest | None:
     try:
         return msgspec.json.decode(read_own(kept_of(rig, "last-tests")) or b"", type=LastTest)
     except (UnusableInput, ValueError):
@@ -161,7 +161,7 @@ def _kept(rig: Path) -> LastTest | None:
 
 def last_wear(rig: Path, specimen: str) -> SpecimenWear | None:
     """Return the wear of a specimen from its last test on a rig, None where unknown."""
-    last = _kept(rig)
+    last = _last_test(rig)
     file = last.specimens.get(specimen, "") if last is not None and specimen else ""
     if not file:
         return None
@@ -175,7 +175,7 @@ def last_wear(rig: Path, specimen: str) -> SpecimenWear | None:
 
 def cut_off(rig: Path) -> str:
     """Return a sentence if a rig's last test was cut off, else an empty text."""
-    last = _kept(rig)
+    last = _last_test(rig)
     if last is None:
         return ""
     try:

@@ -46,15 +46,15 @@ ZERO_SHARE = 0.02
 SAME_ANGLE_DEG = 5.0
 """Tolerance of the angle: a spring of 525 N/m on a crank of 76 mm changes by 3.5 N within it."""
 
-FITTED = 50
+FITTED_DEPTHS = 50
 """Number of newest depths of the twin that are used; it may not have predicted the last rows."""
 
-SAME, SAME_ABOUT_ZERO = 1e-9, 1e-15
+RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE = 1e-9, 1e-15
 """Relative and absolute difference of numbers in two records that is due to rounding."""
 
 NOT_COMPARED = ("record", "tare_mV_per_V", "tare_crank_angle_deg", "frame", "sign")
 
-UNSTEADY = ("status", "supply_V", "logic_V", "temperature_C")
+VARYING_READINGS = ("status", "supply_V", "logic_V", "temperature_C")
 """Readings of a device that vary."""
 
 Pair = tuple[float, float]
@@ -198,7 +198,7 @@ def wear_of(reader: TestReader) -> SpecimenWear | None:
     rows, until = reader.committed(), plausible_until(reader)
     names = ("revolution", "measured_wear_depth", "measured_wear_depth_uncertainty")
     stop = None if until is None else rows_up_to(reader, until, "prediction")
-    table = newest_known(reader, names, FITTED, stop)
+    table = newest_known(reader, names, FITTED_DEPTHS, stop)
     number, depth, uncertainty = (table[name].astype(float) for name in names)
     if not (rows and number.size):
         return worn
@@ -326,7 +326,7 @@ def _of_identity(
 
 
 def _steady_equal(key: str, before: Any, now: Any) -> bool:
-    return any(word in key for word in UNSTEADY) or _equal(before, now)
+    return any(word in key for word in VARYING_READINGS) or _equal(before, now)
 
 
 def _same(before: Any, now: Any) -> bool:
@@ -348,7 +348,7 @@ def _equal(before: Any, now: Any) -> bool:
     except (TypeError, ValueError):
         return str(before) == str(now)
     return first.shape == second.shape and bool(
-        np.allclose(first, second, rtol=SAME, atol=SAME_ABOUT_ZERO)
+        np.allclose(first, second, rtol=RELATIVE_TOLERANCE, atol=ABSOLUTE_TOLERANCE)
     )
 
 

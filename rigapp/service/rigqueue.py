@@ -20,7 +20,7 @@ from rigapp.texts import say, sentence_of_error
 
 log = logging.getLogger(__name__)
 
-LOOK_S = 0.2
+POLL_S = 0.2
 TRY_AGAIN_S = 2.0
 """Time after which a failed write of the queue is repeated."""
 SILENCE_S = 150.0
@@ -85,7 +85,7 @@ class RigQueue:
 
     def _record_end(self) -> None:
         if self._unnoted is None:
-            self._record_notice(LOOK_S)
+            self._record_notice(POLL_S)
         if self._unnoted is None or self._thread.halting:
             return
         try:

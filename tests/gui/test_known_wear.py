@@ -230,7 +230,7 @@ def test_the_forecast_runs_to_the_planned_end_and_says_what_remains(
     assert panel.remains.whole.startswith("Until the final wear depth: ")
     assert "to beyond the model revolutions (95 %)" in panel.remains.whole
     assert panel.why.isHidden()
-    assert panel.mend.isHidden()
+    assert panel.calibrate_button.isHidden()
 
 
 def test_without_a_record_of_the_probes_one_sentence_says_so_with_the_way_out(
@@ -248,10 +248,10 @@ def test_without_a_record_of_the_probes_one_sentence_says_so_with_the_way_out(
         rig = msgspec.structs.replace(status.rig, channels=probes)
         news = News(msgspec.structs.replace(status, rig=rig), data, path=Path("a.h5"))
         panel.show_news(news)
-        assert panel.mend.isHidden() is not lacking
+        assert panel.calibrate_button.isHidden() is not lacking
         assert ("no calibration record" in panel.why.text()) is lacking
         panel.show_news(replace(news, is_replay=True))
-        assert panel.mend.isHidden(), "a replay has no rig to calibrate"
+        assert panel.calibrate_button.isHidden(), "a replay has no rig to calibrate"
 
 
 @pytest.mark.long  # a program of its own

@@ -79,7 +79,7 @@ def record(session: LoadCellSession, folder: Path) -> tuple[dict[str, Any], str]
 @pytest.fixture
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """The rig goes on at each look; nobody sleeps between two."""
-    monkeypatch.setattr(terminal, "LOOK_EVERY_S", 0.0)
+    monkeypatch.setattr(terminal, "POLL_S", 0.0)
 
 
 @pytest.mark.usefixtures("at_once")

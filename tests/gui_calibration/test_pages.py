@@ -38,16 +38,16 @@ def primary(wizard: CalibrationWizard) -> list[str]:
 def test_weights_are_drawn_as_they_stay_come_and_go() -> None:
     assert stack_of((5.0, 5.0, 2.0), (5.0, 1.0)) == [
         Piece("5 kg"),
-        Piece("+ 5 kg", comes=True),
-        Piece("+ 2 kg", comes=True),
-        Piece("\u2212 1 kg", goes=True),
+        Piece("+ 5 kg", added=True),
+        Piece("+ 2 kg", added=True),
+        Piece("\u2212 1 kg", removed=True),
     ]
-    assert stack_of((5.0,) * 8) == [Piece("+ 8 \u00d7 5 kg", comes=True)]
+    assert stack_of((5.0,) * 8) == [Piece("+ 8 \u00d7 5 kg", added=True)]
     assert stack_of(()) == []
 
 
 SCENES: tuple[Callable[[float], Scene], ...] = (
-    lambda at: WeightScene(at, at - 1.0, (Piece("5 kg", comes=True),), 49.0),
+    lambda at: WeightScene(at, at - 1.0, (Piece("5 kg", added=True),), 49.0),
     lambda at: WeightScene(at, at - 1.0, turning=True),
     LevelScene,
     lambda at: ProbeScene(1, 100.0 * at, 800.0, 90.0 * at, back=at > 1.0),

@@ -225,7 +225,7 @@ def runs_of(kind: str, folder: Path) -> list[SpindleRun]:
 def test_spindle_runs_are_taken_up_wherever_they_were_killed(
     kind: str, files: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rigapp.commands.live.spindle_runs.LOOK_EVERY_S", 0.0)
+    monkeypatch.setattr("rigapp.commands.live.spindle_runs.POLL_S", 0.0)
     # Takes a second a file, and other tests look at it.
     monkeypatch.setattr(SpindleRuns, "compress", lambda _: None)
     looks, killed = 0, True

@@ -95,7 +95,7 @@ def release_calibration(
     entry = find_engine(rig)
     if entry is None:
         kept = stored_calibration(rig)
-        if _may_end(rig, kept.shown if kept is not None else None, sure, read):
+        if _confirm_end(rig, kept.shown if kept is not None else None, sure, read):
             delete_calibration(rig)
             print(ENDED)
         return 0
@@ -103,7 +103,7 @@ def release_calibration(
     try:
         tree = result_of(client.request("status")).get("calibration")
         calibration = msgspec.convert(tree, OpenCalibration) if tree is not None else None
-        if _may_end(rig, calibration, sure, read):
+        if _confirm_end(rig, calibration, sure, read):
             assert calibration is not None
             requested = {"since": calibration.since, "reason": reason}
             result_of(client.request("calibration_release", requested))
@@ -113,7 +113,7 @@ def release_calibration(
     return 0
 
 
-def _may_end(
+def _confirm_end(
     rig: Path, calibration: OpenCalibration | None, sure: bool, read: Callable[[str], str]
 ) -> bool:
     """Return whether to end an open calibration; raises UnusableInput where it may not end."""

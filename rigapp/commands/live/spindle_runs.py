@@ -34,7 +34,7 @@ from rigapp.config.recipe import (
 from rigapp.config.rig import RigFile
 from rigapp_calibration.turning.running_check import LEAST_REVOLUTIONS
 
-LOOK_EVERY_S = 0.1  # ten updates of the progress line a second
+POLL_S = 0.1  # ten updates of the progress line a second
 RUN_RAMP = 3
 """Additional revolutions, since the first ones are the ramp."""
 SLOWEST_RAMP_RPM_PER_S = 60.0  # of a usual drive; the length of every run allows for it
@@ -64,7 +64,7 @@ def take_runs(runs: SpindleRuns, line: AbstractContextManager[Ask], say: Say) ->
                 if action is not None:
                     ask(action.verb, {**action.arguments, "calibration": key})
                 elif not runs.done:
-                    time.sleep(LOOK_EVERY_S)
+                    time.sleep(POLL_S)
         except BaseException:
             if runs.turning:
                 ask("stop", {"reason": f"the {runs.what} was interrupted"})

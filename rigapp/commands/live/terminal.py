@@ -30,7 +30,7 @@ PATIENCE_S = 60.0
 COUNTED_S = 30.0
 """Period of messages about the remaining loading time."""
 LEAVES_OUT = "s leaves the creep out, "
-LOOK_EVERY_S = 0.03  # as fast as numbers can be read during an adjustment
+POLL_S = 0.03  # as fast as numbers can be read during an adjustment
 
 AnySession = LiveSession[Any, Any, Any]
 Say = Callable[[str], None]
@@ -169,7 +169,7 @@ class Terminal:
             shown = words
             if time.monotonic() > deadline:
                 raise ProcedureError(f"it did not become steady in {PATIENCE_S:g} s: {seen.words}")
-            time.sleep(LOOK_EVERY_S)
+            time.sleep(POLL_S)
 
     def _reference(self, session: LoadCellSession, shown: float) -> None:
         """Enter the angle reference; the operator may turn the level end for end."""

@@ -130,9 +130,9 @@ class FaultPanel(QWidget):
         self._devices = devices
         set_property(self.problem, "role", "secondary")
         self.problem.setText(tr("The faults are being listed …"))
-        self._worker.submit(lambda: fault_choices(devices), self._offer, self._cannot)
+        self._worker.submit(lambda: fault_choices(devices), self._offer, self._show_error)
 
-    def _cannot(self, error: Exception) -> None:
+    def _show_error(self, error: Exception) -> None:
         set_property(self.problem, "role", "error")
         self.problem.setText(tr("The faults of the simulated rig are not known: {}", error))
 

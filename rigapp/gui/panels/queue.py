@@ -22,8 +22,8 @@ NO_TESTS: Final[Text] = (
     "No test is in the queue. Add test files: each is recorded into a file of its own, and the next"
     " one begins when one is complete."
 )
-STANDS: Final[Text] = "Queue paused; {} to be done."
-WORKS: Final[Text] = "Queue running: the next test starts by itself; {} to be done."
+QUEUE_PAUSED: Final[Text] = "Queue paused; {} to be done."
+QUEUE_RUNNING: Final[Text] = "Queue running: the next test starts by itself; {} to be done."
 STOPPED: Final[Text] = (
     "Test {} did not end as planned, so the queue stopped. Start the queue to resume it"
     " in its own file, or remove it."
@@ -101,7 +101,7 @@ class QueuePanel(QWidget):
         left = [test for test in tests if test.state is not ItemState.DONE]
         running = any(test.state is ItemState.RUNNING for test in tests)
         stopped = next((test for test in tests if test.state is ItemState.STOPPED), None)
-        summary = tr(WORKS if works else STANDS, len(left)) if tests else tr(NO_TESTS)
+        summary = tr(QUEUE_RUNNING if works else QUEUE_PAUSED, len(left)) if tests else tr(NO_TESTS)
         if stopped is not None and not running:
             summary = tr(STOPPED, stopped.number)
         self.summary.setText(summary)

@@ -41,7 +41,7 @@ from rigapp.viewer.tasks import TaskWorker
 NO_STUDIES: Final[Text] = (
     "No study is in {}. Compute one from a study file, or open the folder of another."
 )
-LOOK_MS = 2000
+POLL_MS = 2000
 """Period of checks of a study's progress."""
 ALL_DONE: Final[Text] = "{} points, each with a result."
 SOME_FAILED: Final[Text] = (
@@ -50,13 +50,13 @@ SOME_FAILED: Final[Text] = (
 SOME_WAIT: Final[Text] = (
     "{} of {} points have a result; {} are still to be computed; without a result: {}."
 )
-SEEN_TITLE: Final[Text] = (
+POWER_TITLE: Final[Text] = (
     "Number of revolutions after which a wear coefficient other than the model's is"
     " detected, by share of the tests:"
 )
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
 FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result, or remarks on it")
-SEEN: Final[tuple[Text, ...]] = ("Factor", "Tests")
+POWER_HEADINGS: Final[tuple[Text, ...]] = ("Factor", "Tests")
 BESIDE_FROM, SUMMARY_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
 TABLE_HEIGHT, STUDY_HEIGHT = 16 * STEP, 90 * STEP
 """Width of list and study beside each other; heights below each other."""
@@ -98,7 +98,7 @@ class StudyRun(QWidget):
         row(self.compute, self.interrupt, (self.progress, 1), on=self, margins=0, spacing=GAP)
         self._process = QProcess(self)
         self._process.finished.connect(self._finished)
-        self._look = QTimer(self, interval=LOOK_MS)
+        self._look = QTimer(self, interval=POLL_MS)
         self._look.timeout.connect(self._show)
         self._show()
 
@@ -124,9 +124,9 @@ class StudyRun(QWidget):
         """Interrupt the study; finished points are saved."""
         if self.running:
             self._process.terminate()
-            if not self._process.waitForFinished(LOOK_MS):
+            if not self._process.waitForFinished(POLL_MS):
                 self._process.kill()
-                self._process.waitForFinished(LOOK_MS)
+                self._process.waitForFinished(POLL_MS)
 
     def _choose(self) -> None:
         choose_paths(
@@ -187,7 +187,9 @@ class StudiesPanel(QWidget):
         self.plot = StudyPlot(theme)
         self.plot.result.currentIndexChanged.connect(self._show_dependence)
         self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS, cut=(0,))
-        self.power = PlainTable("study_power", "Number of revolutions until it is detected", SEEN)
+        self.power = PlainTable(
+            "study_power", "Number of revolutions until it is detected", POWER_HEADINGS
+        )
         self.failed = PlainTable(
             "study_failed", "Points without a result, and with notes", FAILED, stretch=(1,)
         )
@@ -196,7 +198,7 @@ class StudiesPanel(QWidget):
     def _lay_out(self) -> None:
         self.depends_title = prose("study_depends_title", "What the result depends on most")
         power_title = prose(
-            "study_power_title", "What the table of the detection power shows", SEEN_TITLE
+            "study_power_title", "What the table of the detection power shows", POWER_TITLE
         )
         self._power = page(power_title, (self.power, 1))
         self._depends = page(self.depends_title, (self.depends, 1))
@@ -287,9 +289,11 @@ class StudiesPanel(QWidget):
     def _show_power(self, power: Sequence[PowerRow]) -> None:
         """Show a row for each factor and a column for each share of the tests."""
         shares = sorted({entry.share for entry in power})
-        self.power.setColumnCount(len(SEEN) + len(shares))
+        self.power.setColumnCount(len(POWER_HEADINGS) + len(shares))
         percents = [f"{100.0 * share:.0f} %" for share in shares]
-        self.power.setHorizontalHeaderLabels([*(tr(heading) for heading in SEEN), *percents])
+        self.power.setHorizontalHeaderLabels(
+            [*(tr(heading) for heading in POWER_HEADINGS), *percents]
+        )
         self.power.show_rows(
             [
                 (f"{factor:g}", grouped(rows[0].tests), *(_revolutions(entry) for entry in rows))

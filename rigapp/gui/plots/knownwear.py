@@ -162,14 +162,14 @@ class ForecastPanel(PlotPanel):
         bold = sized(self.remains.font(), BODY_PT, QFont.Weight.DemiBold)
         self.remains.setFont(bold)
         self.why = prose("forecast_why", "Why there is no forecast", role="secondary")
-        self.mend = button(
+        self.calibrate_button = button(
             "forecast_mend",
             "Calibrate the probes",
             calibrate,
             guarded=True,
         )
         head = row(plot_heading("Wear depth"), (self.unit, 1))
-        below = row((self.why, 1), self.mend, spacing=GAP)
+        below = row((self.why, 1), self.calibrate_button, spacing=GAP)
         column(head, self.remains, below, (self.plot, 1), on=self)
 
     def show_news(self, news: News) -> None:
@@ -192,7 +192,7 @@ class ForecastPanel(PlotPanel):
             why = tr("The forecast is being computed …")
         self.why.setText(why)
         self.why.setVisible(bool(why))
-        self.mend.setVisible(record_missing and not remains)
+        self.calibrate_button.setVisible(record_missing and not remains)
 
 
 def probes_lack_record(status: Status) -> bool:

@@ -22,7 +22,7 @@ WAITING = 64
 """Maximum number of results waiting to be shown; the reading process then pauses."""
 TAKEN = 32
 """Number of results taken at once: inserting them into a table takes a few milliseconds."""
-LOOK_S = 0.2
+POLL_S = 0.2
 """Period in which a full queue checks whether its results are still wanted."""
 
 Stamp = tuple[float, int]
@@ -77,7 +77,7 @@ class ResultReader:
     def _put(self, result: TestResult) -> None:
         while not self._closed.is_set():
             try:
-                self._results.put(result, timeout=LOOK_S)
+                self._results.put(result, timeout=POLL_S)
             except queue.Full:
                 continue
             return

@@ -113,7 +113,7 @@ NO_PINS: Final[Text] = (
     "This rig needs no PIN for limits. To require one, add [operators] with a file to the rig file."
 )
 FIRST: Final[Text] = "Nobody has a PIN yet, so limits of a running test cannot be changed."
-HAVE: Final[Text] = "Have a PIN and may change limits: {}."
+PIN_HOLDERS: Final[Text] = "Have a PIN and may change limits: {}."
 
 
 class PinPart(QWidget):
@@ -154,7 +154,7 @@ class PinPart(QWidget):
         if self._file is None:
             self.holders.setText(tr(NO_PINS))
         else:
-            self.holders.setText(tr(HAVE, ", ".join(names)) if names else tr(FIRST))
+            self.holders.setText(tr(PIN_HOLDERS, ", ".join(names)) if names else tr(FIRST))
 
     def _enable(self) -> None:
         self.set.setEnabled(bool(self.pin.text()))

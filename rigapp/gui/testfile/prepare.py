@@ -128,7 +128,7 @@ class PreflightPanel(QFrame):
 DEFAULT_RATE_HZ = 1000.0  # for the estimate of disk space until a device reports its rate
 NARROW = 136 * STEP
 """Minimum page width for the checks beside the form; the sentence of a limit needs this width."""
-LOOK_AGAIN_S = 20.0
+REREAD_S = 20.0
 """Period of reading the rig file, its calibration records and the disk space."""
 
 
@@ -248,7 +248,7 @@ class PreparePanel(QWidget):
 
     def _ask_records(self) -> None:
         rig, now = self._rig, self._clock()
-        if rig is None or (self._looked_at is not None and now < self._looked_at + LOOK_AGAIN_S):
+        if rig is None or (self._looked_at is not None and now < self._looked_at + REREAD_S):
             return
         self._looked_at = now
         self._worker.submit(
@@ -267,7 +267,7 @@ class PreparePanel(QWidget):
         test, now = self._test, self._clock()
         if test is None:
             return
-        if (test, rate) == self._requested and now < self._requested_at + LOOK_AGAIN_S:
+        if (test, rate) == self._requested and now < self._requested_at + REREAD_S:
             return
         self._requested, self._requested_at = (test, rate), now
         self._worker.submit(

@@ -324,7 +324,7 @@ class RecipePanel(QWidget):
             return
         tree, errors = self._read()
         self.test, wrong = validated_test(
-            tree if not errors else self._with_the_file_s(tree, errors)
+            tree if not errors else self._with_file_values(tree, errors)
         )
         others = self._place_faults(wrong, errors)
         if errors:
@@ -335,7 +335,7 @@ class RecipePanel(QWidget):
         self._show_steps(errors)
         self._show_verdict(errors, others, differences(self._tree, _explicit(tree, self._tree)))
 
-    def _with_the_file_s(self, tree: dict[str, Any], errors: Iterable[str]) -> dict[str, Any]:
+    def _with_file_values(self, tree: dict[str, Any], errors: Iterable[str]) -> dict[str, Any]:
         """Return a test with the file's values in place of unreadable ones, to check the others."""
         complete = copy.deepcopy(tree)
         for path in errors:

@@ -23,7 +23,7 @@ from rigapp.viewer.showntest import ShownTest
 
 log = logging.getLogger(__name__)
 
-LOOK_MS = 200  # delay of Ctrl-C that is not noticed
+POLL_MS = 200  # delay of Ctrl-C that is not noticed
 LOADED_MS = 3000
 """Time after which the window is drawn and the engine has answered: its objects are then frozen."""
 
@@ -87,7 +87,7 @@ def main(
     with termination_signals() as signals:
         look = QTimer(window)
         look.timeout.connect(lambda: _end_on_signal(signals, window, application))
-        look.start(LOOK_MS)
+        look.start(POLL_MS)
         return application.exec()
 
 

@@ -234,8 +234,8 @@ class StartBar(QFrame):
         below = flowing((self.message, 1), self.read, self.save, self.go, cancel)
         column(fields, below, on=self).setContentsMargins(MARGIN, GAP, MARGIN, GAP)
         self.offer(tests)
-        recipe.selection_changed.connect(self._show_armed)
-        self._show_armed()
+        recipe.selection_changed.connect(self._show_selected)
+        self._show_selected()
         self.hide()
 
     def offer(self, tests: Sequence[Path]) -> None:
@@ -247,7 +247,7 @@ class StartBar(QFrame):
         """Disable the start while a calibration occupies the rig, with a text; empty: enable it."""
         if words != self._occupied:
             self._occupied = words
-            self._show_armed()
+            self._show_selected()
 
     @property
     def first(self) -> Path | None:
@@ -265,14 +265,14 @@ class StartBar(QFrame):
     def choose(self, path: Path) -> bool:
         """Select a test file; False where it is unreadable or unsaved changes would be lost."""
         if path == self._recipe.path or self._recipe.open_wanted(path):
-            self._show_armed()
+            self._show_selected()
             return self._recipe.path == path
-        self._show_armed()
+        self._show_selected()
         return False
 
     def open(self) -> None:
         """Show the card with an unused file name and the focus on the test."""
-        self._show_armed()
+        self._show_selected()
         self.show()
         self.test.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -293,7 +293,7 @@ class StartBar(QFrame):
         else:
             super().keyPressEvent(event)
 
-    def _show_armed(self) -> None:
+    def _show_selected(self) -> None:
         """Show the selected test, with unsaved changes and changes on the disk."""
         selected = self._recipe.selected
         self.test.setCurrentIndex(-1 if selected is None else self._add(selected.path))
@@ -337,7 +337,7 @@ class StartBar(QFrame):
         path = self._recipe.path
         if path is not None:
             self._recipe.ask_before(f"reading {path.name} again", self._take_disk)
-        self._show_armed()
+        self._show_selected()
 
     def _take_disk(self) -> None:
         if self._recipe.path is not None:
@@ -346,7 +346,7 @@ class StartBar(QFrame):
     def _save(self) -> None:
         if self._recipe.path is not None:
             self._recipe.save(self._recipe.path)
-        self._show_armed()
+        self._show_selected()
 
     def _browse(self) -> None:
         dialog = QFileDialog(self, tr("Choose a test"), filter=tr("Tests (*.toml)"))
@@ -362,7 +362,7 @@ class StartBar(QFrame):
         self.revolutions.interpretText()
         out, selected = self.out.text().strip(), self._recipe.selected
         if selected is None or not out or selected.on_disk() or self._occupied:
-            self._show_armed()
+            self._show_selected()
             return
         arguments: dict[str, Any] = {"test": str(selected.path), "out": out}
         if self.revolutions.value():

@@ -128,10 +128,10 @@ class ControlRow(QFrame):
         self._send = send
         self._theme = theme
         self._reason_for = self._answer = self._details = ""
-        self._armed = ""
+        self._selected_name = ""
         self._good = True
         self._tight = False
-        self._lent = False
+        self._suspended = False
         self._state: RunState | None = None
         self._occupied = ""
         self._waiting_start: tuple[dict[str, Any], float] | None = None
@@ -166,7 +166,7 @@ class ControlRow(QFrame):
         self.line.setProperty("role", "caption")
         self.command_line = CommandLine()
         self._lay_out()
-        self._ask_nothing()
+        self._clear_question()
         self.dress(theme)
 
     def _lay_out(self) -> None:
@@ -204,14 +204,14 @@ class ControlRow(QFrame):
         self._show_hint()
         self.start_place.updateGeometry()
 
-    def lend_letters(self, lent: bool) -> None:
+    def suspend_access_keys(self, suspended: bool) -> None:
         """Remove the access keys of the buttons while a guide needs them; function keys stay."""
-        if lent is not self._lent:
-            self._lent = lent
+        if suspended is not self._suspended:
+            self._suspended = suspended
             self.make_room(tight=self._tight)
 
     def _words(self, text: Text) -> str:
-        return tr(text).replace("&", "") if self._lent else tr(text)
+        return tr(text).replace("&", "") if self._suspended else tr(text)
 
     def dress(self, theme: Theme) -> None:
         """Apply a theme."""
@@ -246,12 +246,12 @@ class ControlRow(QFrame):
 
     def show_selected(self, name: str) -> None:
         """Set the name of the selected test, shown while no test is running; empty: none."""
-        self._armed = name
+        self._selected_name = name
 
     def _show_identity(self, status: Status | None) -> None:
         test, line = identity(status) if status is not None else ("", "")
-        if status is not None and status.engine.state not in ACTIVE and self._armed:
-            test = tr("{}, selected", self._armed)  # the test to start, not an ended one
+        if status is not None and status.engine.state not in ACTIVE and self._selected_name:
+            test = tr("{}, selected", self._selected_name)  # the test to start, not an ended one
         self.test.show_text(test)
         self.line.show_text(line)
         # Pressing Start or Resume disables it: the other one is shown only when it applies.
@@ -333,7 +333,7 @@ class ControlRow(QFrame):
             text = f"Reason why the test was {self._reason_for}: {text}"
         self.send("note", {"text": text[:NOTE_CHARACTERS]})
         self.text.clear()
-        self._ask_nothing()
+        self._clear_question()
 
     def show_answer(self, sentence: Text, *, good: bool) -> None:
         """Show one sentence; a refusal is marked."""
@@ -416,7 +416,7 @@ class ControlRow(QFrame):
         self._show_hint()
         self._to_text()
 
-    def _ask_nothing(self) -> None:
+    def _clear_question(self) -> None:
         self._reason_for = ""
         self._show_hint()
 

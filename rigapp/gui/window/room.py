@@ -48,7 +48,7 @@ class PageRoom:
     ) -> None:
         self._window, self._tabs, self._stage, self._page_bar = window, tabs, stage, page_bar
         self._side, self._recover, self._bars = side, recover, bars
-        self.tight = self._narrow = self._passed_by = False
+        self.tight = self._narrow = self._recovery_hidden = False
         self.recover_button = button("show_recover", "Recover", self.show_recover, rank="primary")
         content = self.content = QGridLayout()
         content.addLayout(row((page_bar, 1), self.recover_button), 0, 0)
@@ -80,13 +80,13 @@ class PageRoom:
         recovering = not self._recover.isHidden()
         wanted = self._tabs.place in BESIDE and (not tight or recovering)
         narrow = wanted and width < NARROW_WIDTH
-        self._passed_by = self._passed_by and recovering
+        self._recovery_hidden = self._recovery_hidden and recovering
         if narrow is not self._narrow:
             self._narrow = narrow
             self.content.removeWidget(self._side)
             self.content.addWidget(self._side, *(OF_PAGES if narrow else BESIDE_PAGES))
             self._side.make_room(width, tight=self.tight, alone=narrow)
-        passed = narrow and self._passed_by
+        passed = narrow and self._recovery_hidden
         for part, seen in (
             (self._side, wanted and not passed),
             (self._stage, not narrow or passed),
@@ -95,12 +95,12 @@ class PageRoom:
             if part.isVisibleTo(self._window) != seen:
                 part.setVisible(seen)
 
-    def pass_by(self) -> None:
+    def hide_recover(self) -> None:
         """Show the pages in a window that is too narrow for pages and recovery."""
-        self._passed_by = True
+        self._recovery_hidden = True
         self.show_side()
 
     def show_recover(self) -> None:
         """Show the recovery again."""
-        self._passed_by = False
+        self._recovery_hidden = False
         self.show_side()

@@ -252,7 +252,7 @@ class MainWindow(QMainWindow):
         self._frame_replay(replay)
         if replay and status is not None:
             self.replay_bar.show_status(status, self._connection.last_recorded)
-        self._show_who_commands()
+        self._show_control()
         if self._test.problem:
             self.controls.show_answer(self._test.problem, good=False)
             self._test.problem = ""
@@ -428,7 +428,7 @@ class MainWindow(QMainWindow):
             self.controls.report_occupied()
         self.recover.press()
 
-    def _show_who_commands(self) -> None:
+    def _show_control(self) -> None:
         watch = self._connection.command
         line = self.controls.command_line
         line.setVisible(not self._connection.is_replay and not self.room.tight)
@@ -550,7 +550,7 @@ class MainWindow(QMainWindow):
 
     def _show_place(self) -> None:
         self.room.show_side()
-        self.controls.lend_letters(self.stage.guiding)
+        self.controls.suspend_access_keys(self.stage.guiding)
         self.rail.show_place(self.tabs.place)
         now = -1 if self.stage.guiding else self.tabs.currentIndex()
         self.page_bar.show_pages(self.tabs.place, self.tabs.pages(), now)
@@ -569,7 +569,7 @@ class MainWindow(QMainWindow):
         for chosen in turned:
             chosen.connect(self.guide.leave)
         for chosen in (self.rail.chosen, self.page_bar.chosen):
-            chosen.connect(self.room.pass_by)
+            chosen.connect(self.room.hide_recover)
         self.controls.start_wanted.connect(self._open_start)
         self.controls.show_selected(self._tests[0].name if self._tests else "")
         self.recover.wanted.connect(self.controls.send)

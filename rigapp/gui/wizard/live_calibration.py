@@ -21,7 +21,7 @@ from rigapp.viewer.tasks import TaskWorker
 from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.taking.signals import LISTEN_S, Readiness, SignalState
 
-LOOK_MS = 150
+POLL_MS = 150
 """Polling period, short enough for an operator who waits; an answer has the last seconds."""
 NOWHERE = (-1, -1)
 Question = tuple[str, dict[str, Any]]
@@ -118,7 +118,7 @@ class LiveCalibration(QObject):
         self._hands = ActionQueue(line, self._acted, self._failed)
         self._worker = TaskWorker("calibration-fit", bound=4)
         self._timer = QTimer(self)
-        self._timer.setInterval(LOOK_MS)
+        self._timer.setInterval(POLL_MS)
         self._timer.timeout.connect(self.tick)
         self._timer.start()
 

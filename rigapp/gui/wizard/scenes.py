@@ -42,8 +42,8 @@ class Piece:
     """Equal weights on the pin: their text, and whether they are added, stay or are removed."""
 
     words: str
-    comes: bool = False
-    goes: bool = False
+    added: bool = False
+    removed: bool = False
 
 
 def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piece]:
@@ -51,8 +51,8 @@ def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piec
     now, was = Counter(pieces), Counter(before)
     return [
         *(Piece(words) for words in told_pieces((now & was).elements())),
-        *(Piece(f"+ {words}", comes=True) for words in told_pieces((now - was).elements())),
-        *(Piece(f"\u2212 {words}", goes=True) for words in told_pieces((was - now).elements())),
+        *(Piece(f"+ {words}", added=True) for words in told_pieces((now - was).elements())),
+        *(Piece(f"\u2212 {words}", removed=True) for words in told_pieces((was - now).elements())),
     ]
 
 
@@ -202,11 +202,11 @@ class WeightScene:
         painter.drawLine(pin, QPointF(pin.x(), top))
         for index, piece in enumerate(self.stack):
             box = QRectF(left, top + index * height, width, height - 2.0)
-            new = piece.comes or piece.goes
+            new = piece.added or piece.removed
             brush.pen(
                 theme.highlight if new else theme.text,
-                dashed=piece.goes,
-                fill=theme.tint if piece.comes else theme.base,
+                dashed=piece.removed,
+                fill=theme.tint if piece.added else theme.base,
             )
             painter.drawRoundedRect(box, 3.0, 3.0)
             brush.words(box.center(), piece.words, theme.highlight if new else theme.text)
