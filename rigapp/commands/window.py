@@ -56,7 +56,7 @@ def open_window(rig: Path | None, test: Path | None, *, start: bool, language: s
 
 
 def _tests(rig: Path, test: Path | None) -> list[Path]:
-    """Return the test files to list: the named one, then those in the rig's folder by length."""
+    """Return the test files to list: the named one, then the rig folder's by revolutions."""
     result: list[Path] = []
     if test is not None:
         read_test(test)

@@ -91,7 +91,7 @@ WAY_WIDTH = 22 * STEP
 
 
 def may_begin(news: News) -> bool:
-    """Return whether neither a test nor a calibration is in progress."""
+    """Return whether the window shows neither a replay nor an active test."""
     status = news.status
     return not news.is_replay and (status is None or status.engine.state not in ACTIVE)
 

@@ -36,7 +36,7 @@ class ContentHeight(QWidget):
     """A widget with the height of its content at the present width."""
 
     def minimumSizeHint(self) -> QSize:
-        """Return the minimum width, and the height for the present width."""
+        """Return the minimum width without a height, which depends on the width."""
         return QSize(super().minimumSizeHint().width(), 0)
 
 

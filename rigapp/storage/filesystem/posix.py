@@ -202,7 +202,7 @@ class PosixFiles:
 
 
 def _lock_of(fd: int) -> int | None:
-    """Return the kind of another process's lock on a file, None where locks are unsupported."""
+    """Return the kind of a conflicting lock on an open file, None where locks are unsupported."""
     try:
         if _OFD:
             answer = fcntl.fcntl(fd, fcntl.F_OFD_GETLK, _record(fcntl.F_WRLCK))
