@@ -18,8 +18,7 @@ WEIGHTS_UNCERTAINTY = 5e-5
 """Relative standard uncertainty of weights without a stated one: class M1 (OIML R 111)."""
 LATITUDE_GRAVITY_UNCERTAINTY = 5e-5
 STATED_GRAVITY_UNCERTAINTY = 1e-5
-"""Relative standard uncertainty of gravity from latitude and height, and of a stated local
-value."""
+"""Relative standard uncertainty of gravity by latitude and height, and of a stated one."""
 WITH_THE_READINGS = within(-math.inf, math.inf)
 """Any number: ``rigapp_calibration.load_cell.settings`` checks it together with the readings."""
 

@@ -10,8 +10,7 @@ from pathlib import Path
 from rigapp.texts import say
 
 LONGEST_NAME_BYTES = 239
-"""Maximum length of a file name: most file systems allow 255 bytes, and temporary names have up to
-16 more than the final ones."""
+"""Maximum length of a file name: 255 bytes on most systems, less 16 of temporary names."""
 
 LONGEST_PATH_BYTES = 4000
 """Maximum length of a path: systems allow 4,096 bytes, temporary names included."""

@@ -109,8 +109,7 @@ RANGES: Final[Mapping[str, Range]] = {
     for key in keys_of(kind)
     if key.range is not ANY
 }
-"""Ranges in test, parameter and rig files; ``devices.NAME.settings`` are checked by the driver's
-table."""
+"""Ranges in test, parameter and rig files; ``devices.NAME.settings`` are checked by drivers."""
 
 LEVELS: Final[Mapping[str, Range]] = {
     "N": Range(-10_000.0, 10_000.0),

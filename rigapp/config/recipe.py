@@ -24,8 +24,7 @@ Action = Literal["none", "warn", "pause", "stop", "drive_off"]
 
 
 MOST_STEPS = 1000
-"""Maximum number of steps; more are not written by hand, and would slow each use of the
-sequence."""
+"""Maximum number of steps; more are not written by hand and would slow each use."""
 
 
 class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

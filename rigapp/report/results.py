@@ -100,12 +100,8 @@ def _recorded_reason(reason: str, planned: int, operator: str) -> str:
     A file has only the English text; texts of the operator stay unchanged.
     """
     done = say("The planned {} revolutions are made and recorded.", planned)
-    subject = capitalised(operator) or say("The operator")
-    for ended in (
-        done,
-        say("{} stopped the test", subject),
-        say("{} switched the drive off", subject),
-    ):
+    name = capitalised(operator) or say("The operator")
+    for ended in (done, say("{} stopped the test", name), say("{} switched the drive off", name)):
         if reason.startswith(ended):
             return ended + reason[len(ended) :]
     return reason

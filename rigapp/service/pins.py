@@ -30,8 +30,7 @@ SALT_BYTES, HASH_BYTES = 16, 32
 MIN_PIN_LENGTH: Final = 4
 """Minimum number of characters of a PIN."""
 FREE_TRIES, LONGEST_WAIT_S = 3, 300.0
-"""Consecutive wrong PINs before the first wait, which doubles with each further one; its
-maximum."""
+"""Wrong PINs in a row before the first wait, which doubles with each; longest wait."""
 
 
 def hashed(pin: str, salt: bytes | None = None) -> str:

@@ -50,8 +50,7 @@ CONTROL_TIMEOUT_S = 10.0
 """Time without a message of the holder after which control is released."""
 
 ASLEEP_S = 2.0
-"""Pause between two checks above which this process was suspended; it does not count for the
-holder."""
+"""Longer pauses between checks mean a suspended process and do not count for the holder."""
 
 
 Log = Callable[[str, str, str, str], None]

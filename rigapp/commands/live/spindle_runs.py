@@ -40,11 +40,9 @@ RUN_RAMP = 3
 SLOWEST_RAMP_RPM_PER_S = 60.0  # of a usual drive; the length of every run allows for it
 RAMP_S = 2.0  # longest ramp of faster runs
 OVERLOAD_SHARE = 0.5
-"""Overload limit as a share of full scale: without the follower only the pin's inertia acts, and
-half of full scale indicates a mistake."""
+"""Overload limit, share of full scale: with only the pin's inertia, half indicates a mistake."""
 OVERSPEED_FACTOR, OVERSPEED_MORE_RPM = 1.3, 10.0
-"""Overspeed limit: a control loop overshoots by 30 % at most; 10 rpm more, since the resolution of
-slow speeds is coarse."""
+"""Overspeed limit: 30 % overshoot of the loop, and 10 rpm for the resolution of slow speeds."""
 
 
 def take_runs(runs: SpindleRuns, line: AbstractContextManager[Ask], say: Say) -> None:

@@ -155,8 +155,7 @@ QLabel[role="secondary"] { color: $secondary; }
 
 
 OUTLINE_DARKER = 140
-"""Percent by which Fusion darkens the outline of a check box; unchecked boxes would be invisible in
-a dark theme."""
+"""Percent by which Fusion darkens check-box outlines, which would vanish in a dark theme."""
 
 
 @cache

@@ -53,8 +53,7 @@ SIGNS: Final[dict[str, Text]] = {
 """Meaning of a positive value; see Signs and frames in rig.md."""
 
 RAW_PLACES = 4
-"""Decimal places of a raw value: 0.02 N for a cell of 400 N at 2 mV/V, a hundredth of its
-resolution."""
+"""Decimals of a raw value: 0.02 N (400 N at 2 mV/V), a hundredth of the resolution."""
 
 LINK_WINDOW_S = 60.0
 """Period for which a loss is shown as present: an operator looks again within a minute."""

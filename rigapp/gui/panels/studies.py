@@ -56,7 +56,7 @@ POWER_TITLE: Final[Text] = (
 )
 DEPENDS: Final[tuple[Text, ...]] = ("Parameter", "Alone", "With all others")
 FAILED: Final[tuple[Text, ...]] = ("Point", "Why there is no result, or remarks on it")
-POWER_HEADINGS: Final[tuple[Text, ...]] = ("Factor", "Tests")
+HEADINGS: Final[tuple[Text, ...]] = ("Factor", "Tests")
 BESIDE_FROM, SUMMARY_WIDTH, TABLE_WIDTH = 110 * STEP, 40 * STEP, 40 * STEP
 TABLE_HEIGHT, STUDY_HEIGHT = 16 * STEP, 90 * STEP
 """Width of list and study beside each other; heights below each other."""
@@ -188,7 +188,7 @@ class StudiesPanel(QWidget):
         self.plot.result.currentIndexChanged.connect(self._show_dependence)
         self.depends = PlainTable("study_depends", "What the result depends on", DEPENDS, cut=(0,))
         self.power = PlainTable(
-            "study_power", "Number of revolutions until it is detected", POWER_HEADINGS
+            "study_power", "Number of revolutions until it is detected", HEADINGS
         )
         self.failed = PlainTable(
             "study_failed", "Points without a result, and with notes", FAILED, stretch=(1,)
@@ -289,11 +289,9 @@ class StudiesPanel(QWidget):
     def _show_power(self, power: Sequence[PowerRow]) -> None:
         """Show a row for each factor and a column for each share of the tests."""
         shares = sorted({entry.share for entry in power})
-        self.power.setColumnCount(len(POWER_HEADINGS) + len(shares))
+        self.power.setColumnCount(len(HEADINGS) + len(shares))
         percents = [f"{100.0 * share:.0f} %" for share in shares]
-        self.power.setHorizontalHeaderLabels(
-            [*(tr(heading) for heading in POWER_HEADINGS), *percents]
-        )
+        self.power.setHorizontalHeaderLabels([*(tr(heading) for heading in HEADINGS), *percents])
         self.power.show_rows(
             [
                 (f"{factor:g}", grouped(rows[0].tests), *(_revolutions(entry) for entry in rows))

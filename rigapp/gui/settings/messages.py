@@ -35,9 +35,7 @@ WORDS: Final[dict[str, Text]] = {
     "daily": "daily summary",
 }
 """Topics of messages, in the order of the choices."""
-NO_RECIPIENTS: Final[Text] = (
-    "Nobody is notified. Add a recipient: a URL as in mailtos:// or json://."
-)
+EMPTY: Final[Text] = "Nobody is notified. Add a recipient: a URL as in mailtos:// or json://."
 COUNTS: Final[Text] = "A new recipient takes effect when the engine is started again."
 TABLE_HEIGHT = 13 * STEP
 
@@ -104,7 +102,7 @@ class MessageCard(QWidget):
             ]
         )
         if not ways:
-            self.message.setText(tr(NO_RECIPIENTS))
+            self.message.setText(tr(EMPTY))
         self._enable()
 
     def _fail(self, error: Exception) -> None:

@@ -40,8 +40,7 @@ from rigapp.service.pins import operators_file, pins_in, set_pin
 from rigapp.viewer.news import News, Takes
 
 ADDRESS: Final = "127.0.0.1:8750"
-"""Address reachable from this computer only; others need token, certificate and key, by
-``rigapp page``."""
+"""Local address; others need token, certificate and key, by ``rigapp page``."""
 NOT_SERVED: Final[Text] = "Shows this rig in browsers of this computer, while the window is open."
 END_MS = 3000
 

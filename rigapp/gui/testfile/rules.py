@@ -66,8 +66,7 @@ QUANTITY_LETTERS = 10
 """Minimum number of characters of the quantity; the list of quantities is as wide as necessary."""
 USUAL_ROWS = 1000
 USUAL_PERCENT = (5.0, 95.0)
-"""Percentiles of the usual range over the newest ``USUAL_ROWS`` revolutions, which exclude starts
-and trips."""
+"""Percentiles of the usual range over ``USUAL_ROWS`` revolutions, without starts and trips."""
 
 
 class LevelRow(QFrame):

@@ -30,8 +30,7 @@ from rigapp.viewer.shown import MARKS, Level
 REFUSAL_S = 20.0
 """Time for which the reason of a refusal has half of the line; its tool tip has the full text."""
 HEIGHT = 13 * STEP // 2
-"""Height of the line: ``MESSAGE_LINES`` of text, enough for a cause and its remedy at 1366
-pixels."""
+"""Height of ``MESSAGE_LINES`` of text, enough for a cause and its remedy at 1366 pixels."""
 
 
 class MessageLine(QFrame):

@@ -30,8 +30,7 @@ STATE_EVERY = 10
 """Number of polls between two updates of the state bar without news, since its ages increase."""
 
 FAST_EVERY = 4
-"""Number of parts of the slow drawing between two drawings of the newest revolution, so that
-selections there take effect."""
+"""Parts of the slow drawing between two drawings of the newest revolution, for its options."""
 
 SLOW_EVERY = 20
 """Number of parts of the drawing of trends and tables: in a test each is drawn twice a second."""

@@ -113,10 +113,8 @@ class GuidePage(QWizardPage):
             self._asking.setMinimumHeight(0 if low else self._lines * line)
         for layout, least in self._pairs:
             narrow = width < least
-            direction = (
-                QBoxLayout.Direction.TopToBottom if narrow else QBoxLayout.Direction.LeftToRight
-            )
-            layout.setDirection(direction)
+            flow = QBoxLayout.Direction.TopToBottom if narrow else QBoxLayout.Direction.LeftToRight
+            layout.setDirection(flow)
         for picture in self.findChildren(Picture):
             picture.setVisible(not low)
             picture.stay_within(height - ABOVE_AND_BELOW)

@@ -125,10 +125,8 @@ def _rows(
     lives: Sequence[Life], sets: Sequence[Parameters], measured_area: float
 ) -> list[tuple[str, ...]]:
     """Return the table of the paper's numbers and those of the two lives."""
-    kinds = ("simulation", "experiment")
-    head = (
-        part for kind in kinds for part in (f"paper, {kind}", f"this program, set for the {kind}")
-    )
+    runs = ("simulation", "experiment")
+    head = (part for run in runs for part in (f"paper, {run}", f"this program, set for the {run}"))
     rows = [("", *head)]
 
     paper = (

@@ -213,13 +213,11 @@ def _gaps(events: Sequence[Event], rows: Rows | None) -> tuple[Block, ...]:
         )
         blocks += _cut(tr("Where data are missing"), table, header)
     if gaps:
-        rows_of_gaps = tuple(
+        gap_rows = tuple(
             (utc(event.time), grouped(event.revolution), translate(event.text)) for event in gaps
         )
         blocks += _cut(
-            tr("What the log says"),
-            rows_of_gaps,
-            (tr("time, UTC"), tr("after revolution"), tr("gap")),
+            tr("What the log says"), gap_rows, (tr("time, UTC"), tr("after revolution"), tr("gap"))
         )
     return tuple(blocks)
 

@@ -179,13 +179,9 @@ def trends(
         return saved(canvas, title, words, caption)
 
 
-def _band(
-    axes: Any, x: Any, values: Any, uncertainty: Any, colour: str, alpha: float = 0.2
-) -> None:
+def _band(axes: Any, x: Any, values: Any, half: Any, colour: str, alpha: float = 0.2) -> None:
     """Shade an expanded uncertainty around its curve."""
-    axes.fill_between(
-        x, values - uncertainty, values + uncertainty, color=colour, alpha=alpha, lw=0
-    )
+    axes.fill_between(x, values - half, values + half, color=colour, alpha=alpha, lw=0)
 
 
 def _leave_out_unsteady(axes: Any, channel: ChannelFacts) -> bool:

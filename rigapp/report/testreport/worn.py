@@ -170,10 +170,8 @@ def _sentence(worn: Worn) -> str:
         text += tr(" A run-out of {} µm was taken out.", number(worn.run_out, "um", 1))
     if np.isfinite(worn.approach_change):
         change = number(worn.approach_change, "um", 1)
-        correction = tr("this was taken out") if worn.corrected else tr("this was left in")
-        text += tr(
-            " By the model the elastic approach has changed by {} µm; {}.", change, correction
-        )
+        note = tr("this was taken out") if worn.corrected else tr("this was left in")
+        text += tr(" By the model the elastic approach has changed by {} µm; {}.", change, note)
     if not worn.centred and np.isfinite(worn.run_out):
         text += tr(
             " The zero of the probes is not at the bushing's centre, so the direction comes"

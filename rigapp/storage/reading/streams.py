@@ -342,8 +342,7 @@ def _tree(group: h5py.Group) -> dict[str, Any]:
 
 
 COLUMN_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,99}")
-"""Valid column names: they appear in table headers and file names, where other characters are
-unsafe."""
+"""Valid column names: in table headers and file names other characters are unsafe."""
 LONGEST_UNIT = 40
 
 

@@ -28,8 +28,7 @@ DEPTH = "measured_wear_depth"
 SPEED_OVER_DEG = 5.0
 """Crank angle over which the speed is averaged, 50 counts of the encoder."""
 TRIGGER_N = 0.2
-"""Tolerance of the trigger: a force is compared unrounded, and stored in the amplifier's steps,
-about 0.1 N apart."""
+"""Tolerance of the trigger: forces are stored rounded to the amplifier's steps of about 0.1 N."""
 REVERSAL_DEG = 1.0
 """Reversal of the crank that counts as a swing; a dithering encoder edge causes less."""
 
