@@ -1,6 +1,6 @@
 """The command line: thin verbs, each of which imports its modules only when it is called.
 
-This module is the public interface of the package.
+Others enter by this door.
 """
 
 from rigapp.cli.program import main

@@ -1,5 +1,5 @@
 """Work done once on a machine or in a folder before the first start.
 
 System libraries, compiled kernels, example files, the files of a new rig.
-Public modules: ``shipped``, ``kernels``, ``folders``, ``real_rig``, ``schemas``.
+Others enter by ``shipped``, ``kernels``, ``folders``, ``real_rig``, ``schemas``.
 """
