@@ -1,11 +1,11 @@
-"""Bytes to meaning and back, one package a device; knows neither the application nor physics.
+"""Device drivers, one package per device; independent of the application and of the physics.
 
-``api`` says what a driver offers and raises, ``registry`` finds drivers by name, ``edge`` is where
-they are called, ``discovery`` asks who is on a port, ``transport`` opens ports. Each device's
-package has ``driver`` (the entry point), ``probe``, and ``simulator``, a package of its own that
-only the simulated rig and tests load; ``simulator_api`` is what the simulated rig sees of a
-simulator, ``simulated`` what all simulators have. Others enter by ``api``, ``edge``, ``registry``,
-``discovery``, ``simulator_api``, ``transport``, ``wire.trace``, ``wire.recorder`` (recorded lines),
-``wire.ports`` (their names) and, for CAN buses, which are no serial ports, ``cia402.probe``.
+``api`` defines the Protocols and errors, ``registry`` finds drivers by name, ``edge`` wraps every
+call of a driver, ``discovery`` probes ports, ``transport`` opens them. Each device's package has
+``driver`` (the entry point), ``probe``, and ``simulator``, a separate package that only the
+simulated rig and tests load; ``simulator_api`` is the interface between the simulated rig and a
+simulator, ``simulated`` the code common to all simulators. Other packages import only ``api``,
+``edge``, ``registry``, ``discovery``, ``simulator_api``, ``transport``, ``wire.trace``,
+``wire.recorder`` (recordings), ``wire.ports`` (port names) and ``cia402.probe`` (CAN buses).
 Drivers of other packages import ``rigapp.drivers``.
 """

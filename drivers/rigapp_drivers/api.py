@@ -1,4 +1,4 @@
-"""What every driver offers: Protocols, records, error tree.
+"""Define the driver interface: Protocols, data records, error tree.
 
 Error tree::
 
@@ -11,11 +11,12 @@ Error tree::
     ├── ReplyTimeout            a command was not answered in time
     ├── ProtocolError           bytes that the protocol does not allow, after all retries
     ├── DeviceLost              the connection broke while in use (cable, power, reset)
-    ├── DataOverrun             the device says that it dropped data
+    ├── DataOverrun             the device reports that it dropped data
     ├── DriverFailed            the driver itself failed: an error that is none of these (``edge``)
     └── DeviceFault             the device reports a fault of its own (drive fault, e-stop)
 
-A driver knows bytes and meaning, never engineering units of the rig and never the application.
+A driver converts bytes to raw values. It uses no engineering units of the rig and does not import
+the application.
 """
 
 from __future__ import annotations
@@ -34,21 +35,21 @@ from rigapp.texts import Sentence, SentenceError, say, sentence_of_error
 
 
 class Named(Protocol):
-    """What every driver says of itself."""
+    """Attributes that every driver has: device name and port."""
 
     name: str
     port: str
 
 
 class Line(Protocol):
-    """What every line says of itself: whose it is, and where."""
+    """Attributes that every line has: the name of its device, and the port."""
 
     device: str
     port: str
 
 
 class DeviceError(SentenceError):
-    """Say in one sentence what failed, on which device and port, and what to do."""
+    """Base of all driver errors: one sentence on what failed, the device, the port, the remedy."""
 
     def __init__(self, device: str, port: str, template: str, *values: object) -> None:
         sentence = Sentence(template, *values)
@@ -57,11 +58,11 @@ class DeviceError(SentenceError):
         self.port = port
         self.sentence = sentence
         self.each: tuple[DeviceError, ...] = (self,)
-        """One error a device, where several failed together."""
+        """One error per device if several failed together."""
 
     @classmethod
     def at(cls, who: Named | Line, template: str, *values: object) -> Self:
-        """Return the error of a driver, or of the line on which it speaks."""
+        """Return an error with the device and port of a driver or of its line."""
         name = getattr(who, "name", "") or getattr(who, "device", "")
         return cls(str(name), who.port, template, *values)
 
@@ -99,17 +100,17 @@ class DeviceLost(DeviceError):
 
 
 class SettingsLost(DeviceLost):
-    """The device answers, but is not set up any more, as after a restart."""
+    """The device answers but has lost its settings, for example after a restart."""
 
 
 class DataOverrun(DeviceError):
-    """The device says that it dropped data."""
+    """The device reports that it dropped data."""
 
 
 class DriverFailed(DeviceError):
-    """The driver raised what no driver should raise, or answered in another form.
+    """The driver raised an undocumented exception or returned a value of the wrong type.
 
-    Only ``edge`` raises this; its cause is what the driver raised.
+    Only ``edge`` raises this; ``__cause__`` is the exception of the driver.
     """
 
 
@@ -131,33 +132,33 @@ HELP: Final[Mapping[type[DeviceError], str]] = {
     DriverFailed: "a-driver-failed",
     DeviceFault: "the-device-reports-a-fault",
 }
-"""The section of docs/troubleshooting.md that an error leads to, by its kind."""
+"""Error class -> section of docs/troubleshooting.md."""
 
 
 def help_of(error: DeviceError) -> str:
-    """Return the section that helps with an error, "" where there is none."""
+    """Return the section of the troubleshooting guide for an error, "" if none."""
     kinds = (HELP.get(kind, "") for kind in type(error).__mro__ if issubclass(kind, DeviceError))
     return next(filter(None, kinds), "")
 
 
 class BytePort(Line, Protocol):
-    """Exchange bytes with a device; what a driver needs of a transport."""
+    """Exchange bytes with a device; the interface of a transport."""
 
     @property
     def is_open(self) -> bool:
-        """Tell whether the port is open."""
+        """Return whether the port is open."""
 
     def open(self) -> None:
         """Open the port; raise ConnectionFailed."""
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
-        """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
+        """Return the available bytes, at most maximum; wait up to timeout_s for the first."""
 
     def write(self, data: bytes) -> None:
         """Send all bytes; raise DeviceLost."""
 
     def drain(self) -> bytes:
-        """Read until the line is quiet and return what came."""
+        """Read until the line is quiet and return the bytes."""
 
     def close(self) -> None:
         """Release the port; never raises."""
@@ -166,7 +167,7 @@ class BytePort(Line, Protocol):
 class Quality(enum.IntFlag):
     """Flags of one sample or one block; 0 is good.
 
-    SENSOR_FAULT: the device has said that a sensor or its cable is broken; see ``InputFault``.
+    SENSOR_FAULT: the device reported a broken sensor or cable; see ``InputFault``.
     """
 
     GOOD = 0
@@ -179,7 +180,7 @@ class Quality(enum.IntFlag):
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """Tell what answered on a port."""
+    """Identity of the device that answered on a port."""
 
     maker: str
     model: str
@@ -191,7 +192,7 @@ class Identity:
 
 @dataclass(frozen=True, slots=True)
 class ChannelSpec:
-    """Describe one row of a Block: electrical signal = scale * raw + offset, in unit.
+    """One row of a Block: electrical signal = scale * raw + offset, in unit.
 
     ``name`` is the device's input: ``analog_1`` ... ``analog_8``, ``counter_1``, ``digital``.
     ``unit`` is an electrical one ("mV/V", "V", "count"); N and um belong to calibration.
@@ -207,7 +208,7 @@ class ChannelSpec:
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """Carry samples from the edge: raw values, never engineering units.
+    """Samples from a device: raw values, never engineering units.
 
     values: (channels, samples), channel-major, float32 or int32, rows as in ``channels``.
     sequence: number of this block since start, without a gap.
@@ -228,7 +229,7 @@ class Block:
 
 
 class SampleClock(enum.StrEnum):
-    """Tell what makes a device sample: its own clock, or each pulse of the crank's encoder."""
+    """Sample clock of a device: its own clock, or the pulses of the crank's encoder."""
 
     TIME = "time"
     ENCODER = "encoder"
@@ -236,11 +237,11 @@ class SampleClock(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class StreamSetup:
-    """Tell what the device will really send, as read back from it.
+    """Stream settings as read back from the device.
 
-    clock: ENCODER means one sample a count; sample_rate_Hz is nominal then, a standing crank sends
-    no samples, and a Block without samples is a sign of life. A row named ``rate_1`` in Hz, where
-    there is one, is the pulse rate at each sample.
+    clock: ENCODER means one sample per count; sample_rate_Hz is then nominal, a stationary crank
+    sends no samples, and a Block without samples is a heartbeat. An optional row ``rate_1`` in Hz
+    is the pulse rate at each sample.
     """
 
     channels: tuple[ChannelSpec, ...]
@@ -251,7 +252,7 @@ class StreamSetup:
 
 @dataclass(frozen=True, slots=True)
 class DataRequest:
-    """Ask a data acquisition device for inputs at a rate.
+    """Request for inputs of a data acquisition device at a sample rate.
 
     inputs: device input name -> kind: ``bridge`` (range in mV/V), ``voltage`` (range in V),
     ``counter`` (counts per revolution after quadrature in ``range``).
@@ -265,22 +266,22 @@ class DataRequest:
 
 @runtime_checkable
 class DataSource(Named, Protocol):
-    """Acquire samples. One thread calls ``read``; ``stop`` and ``close`` may come from another."""
+    """Acquire samples. One thread calls ``read``; another may call ``stop`` and ``close``."""
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
 
     def configure(self, request: DataRequest) -> StreamSetup:
-        """Set what differs, read everything back; raise SettingRefused."""
+        """Write the settings that differ, read all back; raise SettingRefused."""
 
     def start(self) -> None:
         """Start streaming; sample index and block sequence restart at 0."""
 
     def read(self, timeout_s: float) -> Block | None:
-        """Return the next Block, None when none came in time; raise DeviceLost, DataOverrun."""
+        """Return the next Block, None on time-out; raise DeviceLost, DataOverrun."""
 
     def zero(self, inputs: Sequence[str]) -> None:
-        """Zero inputs in the device where it can; raise SettingRefused where it cannot."""
+        """Zero inputs in the device; raise SettingRefused if it has no such function."""
 
     def stop(self) -> None:
         """Stop streaming; safe to call twice."""
@@ -290,7 +291,7 @@ class DataSource(Named, Protocol):
 
 
 class InputFaultKind(enum.StrEnum):
-    """Tell what is wrong at an input."""
+    """Kind of fault of an input."""
 
     SATURATED = "saturated"
     OUT_OF_RANGE = "out of range"
@@ -301,11 +302,11 @@ class InputFaultKind(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class InputFault:
-    """Carry one fault of its inputs that a data source tells of.
+    """One fault of the inputs, as reported by a data source.
 
-    inputs: device input names as in the request, empty when the device does not say which. words:
-    what is wrong, without a full stop. host_time_ns: when it became known, by
-    ``time.monotonic_ns()``; 0 when the device knew it before the stream was started.
+    inputs: device input names as in the request, empty if the device does not report which. words:
+    the fault, without a full stop. host_time_ns: time of the report, by ``time.monotonic_ns()``; 0
+    if the fault is older than the stream.
     """
 
     kind: InputFaultKind
@@ -316,36 +317,36 @@ class InputFault:
 
 @runtime_checkable
 class InputSupervision(Protocol):
-    """Offered by a data source, if it likes, beside ``DataSource``."""
+    """Optional interface of a data source, in addition to ``DataSource``."""
 
     def input_faults(self) -> tuple[InputFault, ...]:
-        """Return what the device said of its inputs since the start, each once, oldest first.
+        """Return the input faults reported since the start, each once, oldest first.
 
-        It asks nobody, never waits and never raises; any thread may call it at any time. A fault
-        stays in the list until the next start: a device seldom tells that one is over. While one of
-        kind SENSOR_BROKEN came since the start, every sample carries ``Quality.SENSOR_FAULT``.
+        No communication, no wait, no exception; callable from any thread at any time. A fault stays
+        in the list until the next start: devices seldom report its end. After one of kind
+        SENSOR_BROKEN every sample carries ``Quality.SENSOR_FAULT`` until the next start.
         """
 
 
 @runtime_checkable
 class LineCounters(Protocol):
-    """Offered by any driver, if it likes, beside ``DataSource`` or ``Spindle``."""
+    """Optional interface of any driver, in addition to ``DataSource`` or ``Spindle``."""
 
     def counters(self) -> Mapping[str, int]:
-        """Return what the driver counted on its line, by name, in the order to show it.
+        """Return the counters of the line by name, in display order.
 
         Usual names: ``bytes_received``, ``bytes_sent``, ``lost_samples``, ``crc_errors``,
-        ``retries``. They count since the port was opened, or the stream started. It asks nobody,
-        never waits and never raises; any thread may call it at any time.
+        ``retries``. They count from the opening of the port or the start of the stream. No
+        communication, no wait, no exception; callable from any thread at any time.
         """
 
 
 @dataclass(frozen=True, slots=True)
 class DriveStatus:
-    """Tell the drive's state at one moment; speed in rev/s of the crank, signed as the rig.
+    """State of the drive at one moment; speed in rev/s of the crank, with the rig's sign.
 
-    position_count: of the drive's own encoder, on the motor's side of a gear. torque_Nm: of the
-    motor, as the drive estimates it; NaN where it tells none.
+    position_count: of the drive's own encoder, on the motor side of a gear. torque_Nm: of the
+    motor, as estimated by the drive; NaN if not available.
     """
 
     host_time_ns: int
@@ -365,12 +366,12 @@ class DriveStatus:
 
 @dataclass(frozen=True, slots=True)
 class DriveRequest:
-    """Configure a drive: the watchdog is not optional.
+    """Request to configure a drive; the watchdog is mandatory.
 
     counts_per_revolution: of the drive's own encoder, after quadrature, for one turn of the motor.
     gear_ratio: turns of the motor for one of the crank, positive. Every speed and acceleration that
-    a Spindle takes or tells is the crank's. direction: +1 or -1, the rig's positive sense against
-    the drive's.
+    a Spindle takes or returns is the crank's. direction: +1 or -1, the rig's positive direction
+    relative to the drive's.
     """
 
     counts_per_revolution: int
@@ -381,7 +382,7 @@ class DriveRequest:
     gear_ratio: float = 1.0
 
     def __post_init__(self) -> None:
-        """Raise ValueError for a gear that turns nothing."""
+        """Raise ValueError for an invalid gear ratio."""
         if not (math.isfinite(self.gear_ratio) and self.gear_ratio > 0.0):
             raise ValueError(
                 say("gear_ratio is {}, must be a finite number above 0", self.gear_ratio)
@@ -395,49 +396,48 @@ class DriveRequest:
 
 @runtime_checkable
 class Spindle(Named, Protocol):
-    """Turn the crank. Every call but ``drive_off`` is serialised by the driver's own lock.
+    """Turn the crank. The driver's lock serialises every call except ``drive_off``.
 
-    The watchdog's setting is read back before the motor is enabled, in ``reset_fault`` and now and
-    then in ``status``; where it is not as it was set, the power is taken off and SettingsLost
-    raised.
+    The watchdog's setting is read back before the motor is enabled, in ``reset_fault`` and
+    periodically in ``status``; if it has changed, the power is removed and SettingsLost raised.
     """
 
     def open(self) -> Identity:
         """Open the port and identify the drive; raise ConnectionFailed or WrongDevice."""
 
     def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
-        """Set the watchdog and what else differs, and return what was read back."""
+        """Set the watchdog and all settings that differ; return the values read back."""
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
-        """Ramp to a speed; 0 is the controlled stop."""
+        """Ramp to a speed; 0 is a controlled stop."""
 
     def drive_off(self) -> None:
-        """Take the power off the motor at once (coast or brake as the drive does it).
+        """Remove the motor's power at once (coast or brake, depending on the drive).
 
-        Any thread calls it at any time. The command is sent in the middle of a call under way, of
-        which no speed command is sent afterwards.
+        Callable from any thread at any time. The command is sent during a pending call, which then
+        sends no further speed command.
         """
 
     def reset_fault(self) -> None:
-        """Acknowledge faults on the operator's command; the motor stays off.
+        """Acknowledge faults on the operator's request; the motor stays off.
 
         A fault that stopped the motor (watchdog, fault of the drive) stays in ``status().faults``
-        until this or ``configure``. Raises DeviceFault when its cause is still there.
+        until this or ``configure``. Raises DeviceFault while its cause persists.
         """
 
     def status(self) -> DriveStatus:
-        """Read the state; feeds the drive's watchdog."""
+        """Return the state; this feeds the drive's watchdog."""
 
     def close(self) -> None:
-        """Stop the motor, release the drive; never raises; safe to call twice."""
+        """Stop the motor and release the drive; never raises; safe to call twice."""
 
 
 @dataclass(frozen=True, slots=True)
 class SlowRequest:
-    """Ask a device that is not simultaneous with the crank for quantities.
+    """Request for quantities of a device that is not synchronous with the crank.
 
     quantities: names with their unit, as ``SlowSource.read`` returns them (``temperature_C``).
-    timeout_s: the longest that one ``read`` may take. settings: the driver's own keys.
+    timeout_s: maximum duration of one ``read``. settings: the driver's own keys.
     """
 
     quantities: tuple[str, ...]
@@ -447,22 +447,22 @@ class SlowRequest:
 
 @runtime_checkable
 class SlowSource(Named, Protocol):
-    """Tell slow quantities (temperature, humidity) when asked; a thread of its own asks.
+    """Read slow quantities (temperature, humidity) on request, in a separate thread.
 
-    It may fail and come back: after any error the caller closes it and opens it anew.
+    After any error the caller closes the source and opens it again.
     """
 
     def open(self) -> Identity:
         """Open the port and identify the device; raise ConnectionFailed or WrongDevice."""
 
     def configure(self, request: SlowRequest) -> Mapping[str, str | float | int]:
-        """Check that the device tells these quantities; return what was read back.
+        """Check that the device has these quantities; return the settings read back.
 
-        Raises SettingRefused, which names what the device does tell.
+        Raises SettingRefused, which names the quantities that the device has.
         """
 
     def read(self) -> Mapping[str, float]:
-        """Ask for the values now, by quantity, NaN where the device says that one is not valid.
+        """Return the present values by quantity, NaN if the device reports one as invalid.
 
         Raises ReplyTimeout, ProtocolError or DeviceLost.
         """
@@ -472,7 +472,7 @@ class SlowSource(Named, Protocol):
 
 
 class DriverKind(enum.StrEnum):
-    """Tell what a driver is for."""
+    """Kind of device that a driver is for."""
 
     DATA_SOURCE = "data source"
     SPINDLE = "spindle"
@@ -481,9 +481,9 @@ class DriverKind(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class SettingSpec:
-    """Describe one key of ``[devices.NAME.settings]``: type, default, range, one sentence.
+    """One key of ``[devices.NAME.settings]``: type, default, range, description.
 
-    kind: ``object`` where the choices are of several types.
+    kind: ``object`` if the choices are of several types.
     """
 
     kind: type
@@ -495,17 +495,17 @@ class SettingSpec:
 
 
 def filled(specs: Mapping[str, SettingSpec], settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return settings with the default of each that is not given."""
+    """Return settings completed with the defaults."""
     return {key: spec.default for key, spec in specs.items()} | dict(settings)
 
 
 class InvalidRequest(SentenceError, ValueError):
-    """Say in one sentence what of a request no such device can do, and what to do."""
+    """A request that no device of this type can fulfil; one sentence with the remedy."""
 
 
 @contextlib.contextmanager
 def refusing(who: Named | Line) -> Iterator[None]:
-    """Raise a ValueError of a check, which knows no device, as SettingRefused of a device."""
+    """Re-raise the ValueError of a check as SettingRefused with device and port."""
     try:
         yield
     except ValueError as error:
@@ -513,20 +513,20 @@ def refusing(who: Named | Line) -> Iterator[None]:
 
 
 class DriverFactory(Protocol):
-    """Make a driver for a named device on a port."""
+    """Factory of a driver for a named device on a port."""
 
     def __call__(
         self, name: str, port: str, settings: Mapping[str, Any]
     ) -> DataSource | Spindle | SlowSource:
-        """Return the driver, not yet open; settings: as ``SettingSpec`` lists them."""
+        """Return the driver, not yet open; settings: keys as listed in ``SettingSpec``."""
 
 
 @dataclass(frozen=True, slots=True)
 class Probe:
-    """Tell how to ask who is on an open port, without moving a motor or changing a setting.
+    """Method to identify the device on an open port without moving a motor or changing a setting.
 
-    ask: takes the open port and the longest wait for one answer in s; returns None when the device
-    is another one. baud_rates: the usual ones, tried in turn where a port has a speed.
+    ask: takes the open port and the time-out of one reply in s; returns None for a different
+    device. baud_rates: the usual ones, tried in turn if the port has a baud rate.
     """
 
     ask: Callable[[BytePort, float], Identity | None]
@@ -534,30 +534,30 @@ class Probe:
 
 
 class WireDecoder(Protocol):
-    """Show what was said on a recorded line in words, piece by piece, in the order of time."""
+    """Decode a recorded line into text, piece by piece, in chronological order."""
 
     def sent(self, data: bytes) -> Iterable[str]:
-        """Return what the program sent, a line each."""
+        """Return the program's requests as text, one per line."""
 
     def received(self, data: bytes) -> Iterable[str]:
-        """Return what the bytes from the device complete, a line each."""
+        """Return the replies completed by these bytes as text, one per line."""
 
 
 @dataclass(frozen=True, slots=True)
 class DriverInfo:
-    """Describe a driver: the object that an entry point of ``rigapp.drivers`` names.
+    """Description of a driver: the object that an entry point of ``rigapp.drivers`` names.
 
     simulator: "package.module:Class" of its byte-level simulator, loaded by the simulated rig only.
-    usb_ids: vendor and product (None: any of that vendor) of devices with a USB id of their own.
-    probe: how ``rigapp doctor`` asks for the device; None: it is recognised by its USB id only.
+    usb_ids: vendor and product (None: any of that vendor) of devices with their own USB id.
+    probe: how ``rigapp doctor`` identifies the device; None: by its USB id only.
     check: raises ValueError with one sentence for a request (``DataRequest``, ``DriveRequest`` or
-    ``SlowRequest``) that no such device can follow, before a port is opened; None: only the device
-    knows. quantities: what the device can tell of itself or of its surroundings beside the test's
-    samples, each with its unit (``temperature_C``, ``humidity_percent``): of a slow source the keys
-    of ``read``, of a spindle fields of ``DriveStatus``. Channels of a rig file name them as
-    ``source``. needed: quantity -> the setting without which it is not told. decoder: shows a
-    recorded line in words (``rigapp wire``); None: as bytes. protocol: what is recorded of it,
-    "bytes" of a serial line or "slcan" for the frames of a CAN bus.
+    ``SlowRequest``) that no such device can fulfil, before a port is opened; None: no such check.
+    quantities: slow values that the device can report in addition to the test's samples, each with
+    its unit (``temperature_C``, ``humidity_percent``): keys of ``read`` of a slow source, fields of
+    ``DriveStatus`` of a spindle. Channels of a rig file name them as ``source``. needed: quantity
+    -> the setting that it requires. decoder: decodes a recorded line (``rigapp wire``); None: shown
+    as bytes. protocol: content of a recording, "bytes" of a serial line or "slcan" for the frames
+    of a CAN bus.
     """
 
     name: str

@@ -1,9 +1,9 @@
-"""Find out which device is on a serial port: by its USB id, and by asking carefully.
+"""Identify the device on a serial port by its USB id and by safe probes.
 
-A question may neither move a motor nor change a setting. The shipped ones read versions only, and
-none of their bytes means anything to the other devices in their packet modes. A motor controller in
-a simple serial mode, however, takes ANY byte for a speed. So a port is asked without being named by
-the user only when it belongs to a USB device itself, never behind a UART adapter.
+A probe must neither move a motor nor change a setting. The shipped probes read versions only, and
+their bytes have no meaning for the other devices in their packet modes. A motor controller in
+simple serial mode, however, takes ANY byte as a speed. So a port that the user did not name is
+probed only if it belongs to the USB device itself, never behind a UART adapter.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from rigapp_drivers.api import DeviceError, DriverFailed, DriverInfo, Identity
 from rigapp_drivers.edge import Edge
 from rigapp_drivers.transport import SerialPort
 
-QUESTION_S: Final = 0.3  # many times the slowest answer, and eight drivers may ask
-_PAUSE_S: Final = 0.03  # lets a device forget what was not meant for it
+QUESTION_S: Final = 0.3  # many times the slowest reply; up to eight drivers probe in turn
+_PAUSE_S: Final = 0.03  # lets a device discard a request of another protocol
 _WITHOUT_SPEED: Final = re.compile(
     r"^[a-z0-9]+://|/pts/|/ttyACM\d+$|/(cu|tty)\.usbmodem|/ttyGS\d+$", re.IGNORECASE
 )
@@ -30,9 +30,9 @@ _NATIVE_USB: Final = re.compile(r"/ttyACM\d+$|/(cu|tty)\.usbmodem")
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """Tell who answered, and which driver speaks with it.
+    """Device that answered, and its driver.
 
-    baud_rate: None where a port has no speed. low_latency: the adapter took that mode.
+    baud_rate: None if the port has none. low_latency: the adapter accepted that mode.
     """
 
     driver: str
@@ -44,7 +44,7 @@ class Answer:
 
 @dataclass(frozen=True, slots=True)
 class Inquiry:
-    """Tell what came of asking one port; tried: titles; problem: why it could not be asked."""
+    """Result of probing one port; tried: titles; problem: why it could not be probed."""
 
     port: str
     answer: Answer | None
@@ -64,23 +64,22 @@ def drivers_of_usb_id(
 
 
 def may_be_probed(port: str, known: Sequence[DriverInfo]) -> bool:
-    """Tell whether a port may be asked that the user has not named.
+    """Return whether a port that the user did not name may be probed.
 
-    known: drivers of its USB id. A UART adapter may lead to a device that obeys any byte.
+    known: drivers of its USB id. A device behind a UART adapter may obey any byte.
     """
     return bool(known) or _NATIVE_USB.search(os.path.realpath(port)) is not None
 
 
 def has_speed(port: str) -> bool:
-    """Tell whether the baud rate matters; USB devices, ptys and sockets ignore it."""
+    """Return whether the baud rate matters; USB devices, ptys and sockets ignore it."""
     return _WITHOUT_SPEED.search(port if "://" in port else os.path.realpath(port)) is None
 
 
 def ask(port: str, drivers: Iterable[DriverInfo], timeout_s: float = QUESTION_S) -> Inquiry:
-    """Ask a port on behalf of all drivers that can, until one knows the answer; never raises.
+    """Probe a port with each driver until one recognises the reply; never raises.
 
-    drivers: in the order of asking. The port is opened exclusively, so a device in use is left
-    alone.
+    drivers: in probing order. The port is opened exclusively, so a device in use is not disturbed.
     """
     asking = [info for info in drivers if info.probe is not None]
     tried: list[str] = []
@@ -106,7 +105,7 @@ def ask(port: str, drivers: Iterable[DriverInfo], timeout_s: float = QUESTION_S)
 def _rounds(
     drivers: Sequence[DriverInfo], with_speed: bool
 ) -> list[tuple[int | None, list[DriverInfo]]]:
-    """Return baud rates, each with the drivers to ask at it; the usual ones come first."""
+    """Return baud rates, each with the drivers to probe at it; the usual ones come first."""
     if not with_speed:
         return [(None, list(drivers))]
     rounds: dict[int, list[DriverInfo]] = {}
@@ -122,14 +121,14 @@ def _rounds(
 def _ask_one(
     info: DriverInfo, line: SerialPort, timeout_s: float, problems: list[str]
 ) -> Identity | None:
-    """Ask for one driver; a broken port raises DeviceError, a fault in the probe is noted."""
+    """Run one driver's probe; a broken port raises DeviceError, a failed probe is recorded."""
     assert info.probe is not None
     line.read_some(1 << 16, 0.0)
     edge = Edge(info.probe, line.device, line.port, info.name)
     try:
         with edge.calling(say("it was identified")):
             return info.probe.ask(line, timeout_s)
-    except DriverFailed as error:  # must not end the search
+    except DriverFailed as error:  # one faulty driver must not end the search
         problems.append(error.sentence)
         return None
     finally:

@@ -1,9 +1,8 @@
-"""Where drivers are called: whatever one of them raises leaves as a DeviceError.
+"""Wrap every call of a driver: any exception is converted into a DeviceError.
 
-A driver may be anybody's, and may call any library: it raises what it likes, SystemExit included.
-Who calls one through here meets a ``DriverFailed`` that names device, port and what was being done,
-with the error as its cause; the log has the traceback. An answer of another kind than the Protocol
-says is a failure too.
+Third-party drivers and their libraries may raise anything, SystemExit included. Callers receive a
+``DriverFailed`` with device, port and operation, and the original exception as its cause; the
+traceback is logged. A return value of a type other than the Protocol's is a failure too.
 """
 
 from __future__ import annotations
@@ -50,10 +49,10 @@ DOING = {
     "counters": say("its counters were read"),
     "input_faults": say("its inputs were read"),
 }
-"""Call of a driver -> what was being done, for the sentence."""
+"""Method of a driver -> description of the operation for the error text."""
 
 MOST_WORDS = 300
-"""Characters of an error of others that are repeated; some bring a whole page."""
+"""Maximum length of a quoted foreign error text; some are a page long."""
 
 Readback = Mapping[str, str | float | int]
 Answer = TypeVar("Answer")
@@ -61,9 +60,9 @@ Answer = TypeVar("Answer")
 
 @contextlib.contextmanager
 def foreign(convert: Callable[[BaseException], Exception]) -> Iterator[None]:
-    """Call code of others: whatever it raises leaves as what ``convert`` makes of it.
+    """Call foreign code and raise its exceptions as converted by ``convert``.
 
-    Only the user's own interrupt, which reaches the main thread, is left as it is.
+    Only KeyboardInterrupt in the main thread passes unchanged.
     """
     try:
         yield
@@ -75,19 +74,19 @@ def foreign(convert: Callable[[BaseException], Exception]) -> Iterator[None]:
 
 
 def failure_words(error: BaseException) -> str:
-    """Return what an error of others says, in one line of bounded length."""
+    """Return the text of a foreign exception on one line of bounded length."""
     try:
         said = " ".join(sentence_of_error(error).split())[:MOST_WORDS]
-    except Exception:  # of a library whose error has no words
+    except Exception:  # a library's exception whose __str__ fails
         said = ""
     return say("{}: {}", type(error).__name__, said) if said else type(error).__name__
 
 
 class Edge:
-    """What every guarded driver has: whose it is, and the way in which it is called.
+    """Base of all guarded drivers.
 
-    driver: the one behind, for what only some drivers offer; call it inside ``calling``.
-    serial_number: what the device must say that it has; empty: any.
+    driver: the wrapped driver, for optional functions; call it inside ``calling``.
+    serial_number: required serial number; empty: any.
     """
 
     def __init__(self, driver: Any, name: str, port: str, kind: str) -> None:
@@ -102,21 +101,21 @@ class Edge:
         return foreign(lambda error: self._converted(error, doing))
 
     def _converted(self, error: BaseException, doing: str) -> DeviceError:
-        """Return what a driver has raised as the DeviceError that it should have been."""
+        """Return the exception of a driver as a DeviceError."""
         if isinstance(error, DeviceError) and isinstance(getattr(error, "sentence", None), str):
             return error
-        # Once of each kind: a drive is asked ten times a second.
+        # Log each type once: a drive is polled ten times a second.
         if (doing, type(error)) not in self._logged:
             self._logged.add((doing, type(error)))
             who = (self.name, self.port, doing)
             log.warning("%s on %s failed while %s (%s)", *who, failure_words(error))
-            # For files: no traceback on a terminal.
+            # Traceback for log files only, not for the terminal.
             log.info("%s on %s failed while %s", *who, exc_info=error)
         sentence = say("its driver {} failed while {}; the log has the details.", self._kind, doing)
         return DriverFailed(self.name, self.port, sentence)
 
     def _call(self, call: str, kind: type[Answer], *arguments: Any) -> Answer:
-        """Return the answer of a call, which must be of a kind; raise DeviceError."""
+        """Return the result of a call and check its type; raise DeviceError."""
         with self.calling(DOING[call]):
             answer = getattr(self.driver, call)(*arguments)
             if not isinstance(answer, kind):
@@ -124,7 +123,7 @@ class Edge:
         return answer
 
     def _said(self, call: str, form: Callable[..., Answer]) -> Answer:
-        """Return what a driver says of itself in a form; the empty one where it fails or cannot."""
+        """Return an optional report of a driver, converted by ``form``; empty on failure."""
         with contextlib.suppress(DeviceError), self.calling(DOING[call]):
             said = getattr(self.driver, call, None)
             if said is not None:
@@ -132,7 +131,7 @@ class Edge:
         return form()
 
     def counters(self) -> Mapping[str, int]:
-        """Return what the driver counted on its line (``LineCounters``), empty without any."""
+        """Return the driver's ``LineCounters``, empty if it has none."""
         return self._said("counters", dict[str, int])
 
     def close(self) -> None:
@@ -172,7 +171,7 @@ class Edge:
         return readback
 
     def _note(self, **content: object) -> None:
-        """Put what was asked and answered beside the bytes, where the line is recorded."""
+        """Add request and result to the recording of the line, if there is one."""
         for recorder in recorders_of(self.name, self.port):
             recorder.note(content)
 
@@ -181,7 +180,7 @@ class GuardedSource(Edge):
     """A ``DataSource`` behind the edge, with ``InputSupervision``."""
 
     def configure(self, request: DataRequest) -> StreamSetup:
-        """Set what differs, read everything back; raise DeviceError."""
+        """Write the settings that differ, read all back; raise DeviceError."""
         setup = self._call("configure", StreamSetup, request)
         self._note(request=asdict(request), readback=dict(setup.readback))
         return setup
@@ -191,7 +190,7 @@ class GuardedSource(Edge):
         self._call("start", object)
 
     def read(self, timeout_s: float) -> Block | None:
-        """Return the next Block, None when none came in time; raise DeviceError."""
+        """Return the next Block, None on time-out; raise DeviceError."""
         with self.calling(DOING["read"]):
             block = self.driver.read(timeout_s)
             if not isinstance(block, Block | None):
@@ -199,7 +198,7 @@ class GuardedSource(Edge):
         return block
 
     def zero(self, inputs: Sequence[str]) -> None:
-        """Zero inputs in the device where it can; raise DeviceError."""
+        """Zero inputs in the device; raise DeviceError."""
         self._call("zero", object, inputs)
 
     def stop(self) -> None:
@@ -207,7 +206,7 @@ class GuardedSource(Edge):
         self._call("stop", object)
 
     def input_faults(self) -> tuple[InputFault, ...]:
-        """Return what the device said of its inputs, empty where it says nothing."""
+        """Return the faults reported by the device's inputs, empty if not supported."""
         return self._said("input_faults", tuple[InputFault, ...])
 
 
@@ -215,7 +214,7 @@ class GuardedSpindle(Edge):
     """A ``Spindle`` behind the edge."""
 
     def configure(self, request: DriveRequest) -> Readback:
-        """Set the watchdog and what else differs; raise DeviceError."""
+        """Set the watchdog and all settings that differ; raise DeviceError."""
         return self._configured(request)
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
@@ -223,7 +222,7 @@ class GuardedSpindle(Edge):
         self._call("set_speed", object, speed_rev_per_s, acceleration_rev_per_s2)
 
     def drive_off(self) -> None:
-        """Take the power off the motor at once; raise DeviceError."""
+        """Remove the motor's power at once; raise DeviceError."""
         self._call("drive_off", object)
 
     def reset_fault(self) -> None:
@@ -231,7 +230,7 @@ class GuardedSpindle(Edge):
         self._call("reset_fault", object)
 
     def status(self) -> DriveStatus:
-        """Read the state, which feeds the drive's watchdog; raise DeviceError."""
+        """Return the state; this feeds the drive's watchdog; raise DeviceError."""
         return self._call("status", DriveStatus)
 
 
@@ -239,17 +238,17 @@ class GuardedSlow(Edge):
     """A ``SlowSource`` behind the edge."""
 
     def configure(self, request: SlowRequest) -> Readback:
-        """Check that the device tells these quantities; raise DeviceError."""
+        """Check that the device has these quantities; raise DeviceError."""
         return self._configured(request)
 
     def read(self) -> Mapping[str, float]:
-        """Return the values now, by quantity, as numbers; raise DeviceError."""
+        """Return the present values by quantity; raise DeviceError."""
         with self.calling(DOING["read"]):
             return {str(name): float(value) for name, value in self.driver.read().items()}
 
 
 def _same_number(required: str, told: str) -> bool:
-    """Tell whether a device has the required serial number; leading zeros are left out by some."""
+    """Return whether the serial numbers agree; some devices omit leading zeros."""
     number, other = (one.strip().casefold().lstrip("0") for one in (required, told))
     return not required.strip() or number == other
 
@@ -268,7 +267,7 @@ def make_driver(
 ) -> Guarded:
     """Make a driver for a named device on a port, behind the edge; raise DeviceError.
 
-    serial_number: what the device must say when it is opened; empty: any.
+    serial_number: checked when the device is opened; empty: any.
     """
     edge = GUARDS[info.kind](None, name, port, info.name)
     edge.serial_number = serial_number

@@ -1,9 +1,9 @@
-"""Keep answers with their questions on a line whose answers do not say what they answer.
+"""Match replies to requests on a line whose replies do not identify their request.
 
-A device answers in the order in which it is asked. So a question that got no answer in time is
-open, and the next answer may be its own. Two rules follow: a late answer that comes while nothing
-else was asked is the right one, and nothing else is asked before what is open has come or is given
-up for lost. Where answers name their question neither is needed: ``NamedQuestions`` measures only.
+A device replies in the order of the requests. So a request that timed out stays pending, and the
+next reply may belong to it. Two rules follow: a late reply is valid if no other request was sent
+since, and no other request is sent before the pending reply has arrived or is considered lost.
+If replies identify their request neither is needed: ``NamedQuestions`` only measures latency.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ from typing import Final
 from rigapp.texts import say
 
 FIRST_WAIT: Final = 2.0
-"""Time-outs that the first try waits; the tries after it wait one each."""
+"""Wait of the first try in time-outs; each further try waits one."""
 GIVEN_UP: Final = 8.0
-"""Time-outs after which an answer that has not come is held for lost."""
-_ADVICE: Final = 2.0  # the time-out to set, in latencies that were measured
+"""Time-outs after which a missing reply is considered lost."""
+_ADVICE: Final = 2.0  # recommended time-out as a multiple of the measured latency
 
 _log = logging.getLogger(__name__)
 
 
 class OpenQuestions:
-    """Account for the questions of one line. Times in s of the monotonic clock.
+    """Track the pending requests of one line. Times in s of the monotonic clock.
 
-    setting: the key of the time-out in the rig file, and how many of its units are a second.
-    late_s: the longest latency above the time-out that was measured, 0 without any. late: answers
-    that came after their time-out.
+    setting: the key of the time-out in the rig file; per_s: its units per second.
+    late_s: the longest measured latency above the time-out, 0 if none. late: number of replies
+    after their time-out.
     """
 
     def __init__(self, device: str, timeout_s: float, setting: str, per_s: float = 1.0) -> None:
@@ -41,17 +41,17 @@ class OpenQuestions:
         self._asked_s: deque[float] = deque()
 
     def requested(self) -> None:
-        """Note that a question was sent."""
+        """Record that a request was sent."""
         self._asked_s.append(time.monotonic())
 
     def answered(self) -> None:
-        """Note that an answer came: it is that to the oldest open question."""
+        """Record a reply; it belongs to the oldest pending request."""
         if not self._asked_s:
             return
         self.measure(time.monotonic() - self._asked_s.popleft())
 
     def measure(self, latency_s: float) -> None:
-        """Note how long an answer took; above the time-out it was late, which is told."""
+        """Record the latency of a reply; log it if it exceeds the time-out."""
         if latency_s <= self.timeout_s:
             return
         self.late += 1
@@ -61,9 +61,9 @@ class OpenQuestions:
         self.late_s = max(self.late_s, latency_s)
 
     def open_until_s(self) -> float:
-        """Return until when answers to open questions may come, 0 when none is open.
+        """Return the time until which pending replies may arrive, 0 if none is pending.
 
-        After that they are given up.
+        After that they are considered lost.
         """
         if not self._asked_s:
             return 0.0
@@ -74,17 +74,17 @@ class OpenQuestions:
         return until_s
 
     def first_wait(self) -> float:
-        """Return for how many time-outs the first try waits; longer once answers were late."""
+        """Return the wait of the first try in time-outs; longer once replies were late."""
         return max(FIRST_WAIT, min(GIVEN_UP, 1.5 * self.late_s / self.timeout_s))
 
     def waits(self, tries: int) -> tuple[float, ...]:
-        """Return for how many time-outs each try waits: as many in all as there are tries."""
+        """Return the wait of each try in time-outs; their sum equals the number of tries."""
         if tries < 2:
             return (1.0,) * tries
         return (self.first_wait(), *(1.0 for _ in range(tries - 2)))
 
     def words(self) -> str:
-        """Return what to do about late answers, "" when none was late."""
+        """Return the advice on late replies, "" if none was late."""
         if not self.late_s:
             return ""
         advised = float(f"{_ADVICE * self.late_s * self._per_s:.2g}")
@@ -97,10 +97,10 @@ class OpenQuestions:
 
 
 class NamedQuestions(OpenQuestions):
-    """Measure how late answers are that name their question, so that none is taken for another's.
+    """Measure the latency of late replies that identify their request.
 
-    A late answer is measured when it comes after its question was left: while a question is asked
-    again, its answer may be that to either try.
+    A late reply is measured only after its request has ended: while the request is retried, the
+    reply may belong to either try.
     """
 
     def __init__(self, device: str, timeout_s: float, setting: str, per_s: float = 1.0) -> None:
@@ -110,23 +110,23 @@ class NamedQuestions(OpenQuestions):
         self._left_s: dict[str | bytes, float] = {}
 
     def begin(self, name: str | bytes) -> None:
-        """Note what is asked from now on."""
+        """Begin a request."""
         self._name, self._tries_s = name, []
         self._left_s.pop(name, None)
 
     def requested(self) -> None:
-        """Note that the question was sent."""
+        """Record that the request was sent."""
         self._tries_s.append(time.monotonic())
 
     def leave(self, *, answered: bool) -> None:
-        """Note that the question is left, with answers to its tries that may still come."""
+        """End the request; replies to its tries may still arrive."""
         if not answered:
             self._left_s[self._name] = self._tries_s[0]
         elif len(self._tries_s) > 1:
             self._left_s[self._name] = self._tries_s[-1]
 
     def is_answer(self, name: str | bytes) -> bool:
-        """Tell whether an answer is that to the question; measure it where it is a late one."""
+        """Return whether a reply belongs to the request; measure it if it is a late one."""
         if name == self._name:
             return True
         asked_s = self._left_s.pop(name, None)

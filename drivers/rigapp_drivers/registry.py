@@ -1,7 +1,7 @@
 """Find drivers by entry point and check their settings.
 
 A third-party package adds a driver by naming a ``DriverInfo`` under the entry-point group
-``rigapp.drivers``; nothing here changes. A driver's module is imported when it is asked for.
+``rigapp.drivers``; nothing here changes. A driver's module is imported on first use.
 """
 
 from __future__ import annotations
@@ -33,15 +33,15 @@ _KIND_WORDS: dict[type, str] = {
 
 
 class SettingsError(SentenceError, ValueError):
-    """Say in one plain sentence which setting cannot be used, and what to do."""
+    """A setting is invalid; one sentence with the remedy."""
 
 
 class DriverNotFound(SentenceError, LookupError):
-    """Say which driver or simulator cannot be loaded, and what to do."""
+    """A driver or simulator cannot be loaded; one sentence with the remedy."""
 
 
 class DriverBroken(DriverNotFound):
-    """Say which package brings a driver or simulator that fails to load."""
+    """The import of a driver or simulator failed; the sentence names its package."""
 
 
 def available_drivers() -> tuple[str, ...]:
@@ -50,9 +50,9 @@ def available_drivers() -> tuple[str, ...]:
 
 
 def load_driver(name: str) -> DriverInfo:
-    """Import the driver of that name and return its description; raise DriverNotFound.
+    """Import a driver by name and return its description; raise DriverNotFound.
 
-    Whatever the import raises is a DriverBroken.
+    Any exception of the import is raised as DriverBroken.
     """
     entries = _entries()
     entry = entries.get(name)
@@ -89,7 +89,7 @@ def load_driver(name: str) -> DriverInfo:
 
 
 def _way_out(driver: str, error: BaseException) -> str:
-    """Return what to do about a driver whose import has failed."""
+    """Return the remedy for a driver whose import has failed."""
     former = str(getattr(error, "name", None) or "").partition(".")[0]
     if former in FORMER_NAMES:
         return say(
@@ -102,7 +102,7 @@ def _way_out(driver: str, error: BaseException) -> str:
 
 
 def package_of(driver: str) -> str:
-    """Return the name of the package that brings a driver, as it was installed."""
+    """Return the name of the installed package that provides a driver."""
     entry = _entries().get(driver)
     if entry is None:
         return driver
@@ -147,7 +147,7 @@ def load_simulator(info: DriverInfo) -> type[Any]:
 def check_settings(info: DriverInfo, settings: Mapping[str, Any], where: str) -> dict[str, Any]:
     """Return the settings with every default filled in; raise SettingsError.
 
-    where: the place as the user knows it, for example ``rig.toml [devices.daq.settings]``.
+    where: location for the error text, for example ``rig.toml [devices.daq.settings]``.
     """
     for key in settings:
         if key not in info.settings:

@@ -1,4 +1,4 @@
-"""What every simulated device has: the time of its wire, faults as data, replies that come late.
+"""Common parts of all simulated devices: time of the wire, fault data, delayed replies.
 
 Simulators only; no driver imports this.
 """
@@ -14,11 +14,11 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Describe one fault in the time of the wire, counted from the simulator's first call.
+    """One fault, in the time of the wire since the simulator's first call.
 
-    A state fault lasts from start_s to end_s. A link fault strikes ``count`` messages (None: all)
-    about ``target`` (command number or object index; None: any) in that time. A fault that happens
-    at a moment does so once, at start_s. ``value``: what the kind of fault says.
+    A state fault lasts from start_s to end_s. A link fault affects ``count`` messages (None: all)
+    about ``target`` (command number or object index; None: any) in that time. An instantaneous
+    fault occurs once, at start_s. ``value``: its meaning depends on the kind of fault.
     """
 
     kind: enum.StrEnum
@@ -34,7 +34,7 @@ Faults = Iterable[Fault | Mapping[str, Any]]
 
 
 class FaultPlan:
-    """Keep the time of the wire, tell which faults are active now, count down the link faults.
+    """Hold the time of the wire and the active faults, and count down the link faults.
 
     Raises ValueError for an unknown kind and TypeError for an unknown key.
     """
@@ -59,27 +59,27 @@ class FaultPlan:
         return self.time_s
 
     def add(self, kind: str, **data: Any) -> None:
-        """Add a fault while the simulation runs, at once unless ``start_s`` says else."""
+        """Add a fault while the simulation runs; it starts now unless ``start_s`` is set."""
         self._faults.append(Fault(self._kinds(kind), **data))
 
     def clear(self, kind: str) -> None:
-        """Forget all faults of a kind."""
+        """Remove all faults of a kind."""
         wanted = self._kinds(kind)
         self._faults = [fault for fault in self._faults if fault.kind is not wanted]
 
     def on(self, kind: enum.StrEnum) -> bool:
-        """Tell whether a state fault is active now."""
+        """Return whether a state fault is active now."""
         return self.active(kind) is not None
 
     def active(self, kind: enum.StrEnum, default: float = 0.0) -> float | None:
-        """Return the value of a state fault that is active now, None when there is none."""
+        """Return the value of an active state fault, None if there is none."""
         for fault in self._faults:
             if fault.kind is kind and fault.start_s <= self.time_s < fault.end_s:
                 return default if fault.value is None else fault.value
         return None
 
     def strike(self, kind: enum.StrEnum, target: int, default: float = 0.0) -> float | None:
-        """Return the value of a fault that strikes this message, and count it; None for none."""
+        """Return the value of a fault that affects this message, and count it; None if none."""
         for position, fault in enumerate(self._faults):
             hit = fault.kind is kind and fault.start_s <= self.time_s < fault.end_s
             if not hit or fault.target not in (None, target) or fault.count == 0:
@@ -90,7 +90,7 @@ class FaultPlan:
         return None
 
     def take(self, kind: enum.StrEnum, default: float = 0.0) -> float | None:
-        """Return the value of a fault that happens at a moment that has come, once."""
+        """Return the value of an instantaneous fault that is due, once."""
         for fault in self._faults:
             if fault.kind is kind and fault.start_s <= self.time_s:
                 self._faults.remove(fault)
@@ -98,7 +98,7 @@ class FaultPlan:
         return None
 
     def in_time(self, reply: bytes, slow: enum.StrEnum, target: int, delay_s: float) -> bytes:
-        """Return a reply, or none when a fault strikes that lets it come late (see ``due``)."""
+        """Return a reply, or nothing if a fault delays it (see ``due``)."""
         told_s = self.strike(slow, target, delay_s)
         if told_s is None:
             return reply
@@ -106,11 +106,11 @@ class FaultPlan:
         return b""
 
     def due(self) -> bytes:
-        """Return the late replies whose time has come."""
+        """Return the delayed replies that are due."""
         due = b"".join(reply for when, reply in self._late if when <= self.time_s)
         self._late = [entry for entry in self._late if entry[0] > self.time_s]
         return due
 
     def forget_late(self) -> None:
-        """Forget the replies that are held back: the device was reset."""
+        """Discard the delayed replies after a reset of the device."""
         self._late.clear()

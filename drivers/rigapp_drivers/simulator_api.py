@@ -1,7 +1,7 @@
-"""What the simulated rig sees of a simulated device, and what each of them gives the other.
+"""Interface between the simulated rig and a simulated device.
 
-A simulator speaks the bytes of its device; it has no clock and no thread of its own. Simulators and
-the simulated rig only; no driver imports this.
+A simulator speaks the byte protocol of its device; it has no clock and no thread. For simulators
+and the simulated rig only; no driver imports this.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, slots=True)
 class RigSignals:
-    """Feed a simulated data acquisition device: what its input terminals see.
+    """Signals at the input terminals of a simulated data acquisition device.
 
     analog: input number (1-based) -> (samples,) in mV/V (bridges) or V (voltages), load cell,
-    probes and the rig file's free channels alike; infinite where a wire is broken and the open
-    input floats to that side.
-    shaft_revolutions: (samples,) unwrapped shaft angle in revolutions, float64; the simulator makes
-    counts and index of it.
+    probes and the rig file's free channels; infinite if a wire is broken and the open input floats
+    to that side.
+    shaft_revolutions: (samples,) unwrapped shaft angle in revolutions, float64; the simulator
+    derives counts and index from it.
     """
 
     analog: Mapping[int, NDArray[np.float64]]
@@ -42,17 +42,17 @@ class SimulatedDataSource(Protocol):
 
     @property
     def streaming(self) -> bool:
-        """Tell whether the host has started the stream."""
+        """Return whether the host has started the stream."""
 
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
-        """Return the bytes that these samples cause on the wire (b"" when not streaming)."""
+        """Return the bytes sent for these samples (b"" when not streaming)."""
 
     def overrun(self, now_s: float) -> None:
-        """Take note that the link dropped old frames because the host did not read."""
+        """Record that the link dropped old frames because the host did not read."""
 
 
 class DriveMode(enum.StrEnum):
-    """Tell how a drive acts on its motor."""
+    """Way in which a drive acts on its motor."""
 
     VELOCITY = "velocity"
     DUTY = "duty"
@@ -61,7 +61,7 @@ class DriveMode(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class DriveCommand:
-    """Tell the plant what the drive wants: a ramped speed set-point, a duty, or nothing."""
+    """Output of a drive to the plant: a ramped speed set-point, a duty, or no power."""
 
     mode: DriveMode
     speed_count_per_s: float = 0.0
@@ -70,7 +70,7 @@ class DriveCommand:
 
 @dataclass(frozen=True, slots=True)
 class MotorState:
-    """Tell the simulated drive what its sensors see."""
+    """Motor state as measured by the sensors of the simulated drive."""
 
     position_count: int
     speed_count_per_s: float
@@ -80,15 +80,15 @@ class MotorState:
 
 
 class SimulatedSlowSource(Protocol):
-    """Simulate a slow device at the byte level; quantities: those that it tells, as its driver."""
+    """Simulate a slow device at the byte level; quantities: as its driver's."""
 
     quantities: tuple[str, ...]
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host, or none; return the replies that are due."""
+        """Process bytes from the host, if any, and return the replies that are due."""
 
     def observe(self, values: Mapping[str, float]) -> None:
-        """Take what its sensors see now, by the driver's quantities (``temperature_C``)."""
+        """Set the sensors' present values by the driver's quantities (``temperature_C``)."""
 
 
 class SimulatedDrive(Protocol):
@@ -102,10 +102,10 @@ class SimulatedDrive(Protocol):
         """Take bytes from the host and return the replies that they cause."""
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
-        """Advance ramps by elapsed_s, judge the watchdog at now_s, return what drives the motor."""
+        """Advance ramps by elapsed_s, check the watchdog at now_s, return the motor command."""
 
     def observe(self, state: MotorState) -> None:
-        """Take the motor's present state for later replies."""
+        """Set the motor's present state for later replies."""
 
     def emit(self, now_s: float) -> bytes:
-        """Return bytes that the drive sends by itself (heartbeat, PDO); b"" for most."""
+        """Return unsolicited bytes of the drive (heartbeat, PDO); b"" for most drives."""

@@ -1,4 +1,4 @@
-"""What the drivers of spindles share: what no drive can follow, and what a silent host is told."""
+"""Common parts of the spindle drivers: checks of requests, and messages on watchdog stops."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rigapp_drivers.api import DriveRequest, Line, Named, SettingRefused, Settin
 _log = logging.getLogger(__name__)
 
 QUANTITIES: Final = ("current_A", "supply_V", "temperature_C", "torque_Nm")
-"""What a drive tells of itself beside its motion: fields of ``DriveStatus``."""
+"""Condition of a drive in addition to its motion: fields of ``DriveStatus``."""
 NEEDED: Final = {"torque_Nm": "torque_constant_Nm_per_A"}
 TORQUE_CONSTANT: Final = SettingSpec(
     float,
@@ -25,19 +25,19 @@ TORQUE_CONSTANT: Final = SettingSpec(
     1e3,
 )
 WATCHDOG_PERIOD: Final = 8
-"""Calls of ``status`` from one reading of the watchdog's setting to the next: 0.8 s at 0.1 s."""
-_ROUNDING: Final = 1e-9  # of a speed that is the maximum but for the digits of a conversion
+"""Calls of ``status`` between two readings of the watchdog's setting: 0.8 s at 0.1 s."""
+_ROUNDING: Final = 1e-9  # relative; a speed may exceed the maximum by a conversion's rounding
 
 
 def silenced(silence_s: float) -> str:
-    """Say that the drive's supervision has fired; silence_s: how long the host was silent."""
+    """Return the message of a watchdog stop; silence_s: duration of the host's silence."""
     return say(
         "watchdog: the host was silent for {:.2f} s and the drive has stopped the motor", silence_s
     )
 
 
 def settings_lost(who: Named, watchdog_s: float, set_s: float) -> SettingsLost:
-    """Return the error of a drive that is not set up as it was; watchdog_s: 0 when it has none."""
+    """Return the error of a drive that lost its settings; watchdog_s: 0 if it has none."""
     what = say("speed unit, limits or heartbeat")
     if watchdog_s != set_s:
         what = say("watchdog {:g} s instead of {:g} s", watchdog_s, set_s)
@@ -50,7 +50,7 @@ def settings_lost(who: Named, watchdog_s: float, set_s: float) -> SettingsLost:
 
 
 def torque_Nm(current_A: float, settings: Mapping[str, Any]) -> float:
-    """Return the motor's torque by its current, NaN where the torque constant is not known."""
+    """Return the motor's torque from its current, NaN if the torque constant is unknown."""
     constant = float(settings["torque_constant_Nm_per_A"])
     return constant * current_A if constant else math.nan
 
@@ -61,9 +61,9 @@ def refuse_request(
     settings: Mapping[str, Any],
     check: Callable[[DriveRequest], None],
 ) -> None:
-    """Raise SettingRefused for a request that no drive, or by ``check`` not this one, can follow.
+    """Raise SettingRefused for a request that is invalid for any drive, or by ``check``.
 
-    settings: those with which the port was opened; the request's may not differ.
+    settings: used to open the port; those of the request must be the same.
     """
     refusal = ""
     if request.counts_per_revolution < 1:
@@ -88,7 +88,7 @@ def refuse_request(
 
 
 def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveRequest) -> None:
-    """Raise SettingRefused for a speed that is none, or above the rig's maximum."""
+    """Raise SettingRefused for a speed that is not finite or exceeds the rig's maximum."""
     limit = request.maximum_speed_rev_per_s
     if not math.isfinite(speed_rev_per_s):
         raise SettingRefused.at(who, "a speed of {} is not a number.", speed_rev_per_s)
@@ -104,7 +104,7 @@ def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveReques
 def whole_ramp(
     who: Named | Line, acceleration_rev_per_s2: float, step_rev_per_s2: float, most: int
 ) -> int:
-    """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused for none."""
+    """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused."""
     ramp = acceleration_rev_per_s2 / step_rev_per_s2
     if not (math.isfinite(ramp) and ramp > 0):
         raise SettingRefused.at(
@@ -114,7 +114,7 @@ def whole_ramp(
 
 
 def note_survived_silence(who: Named, silence_s: float, watchdog_s: float) -> None:
-    """Log that this computer was late, but by its own word the drive has not stopped."""
+    """Log that this computer was late although the drive reports no stop."""
     _log.warning(
         "%s on %s: nothing was sent to it for %.2f s, and its watchdog of %.2f s has not fired; "
         "test the watchdog if this computer was not busy",

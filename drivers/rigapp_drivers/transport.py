@@ -32,26 +32,26 @@ from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
 from rigapp_drivers.wire.recorder import recorders_of
 
 _PORT_ERRORS: tuple[type[Exception], ...] = (OSError, ValueError)
-"""What a port raises; pyserial's own error is an OSError."""
+"""Exceptions of a port; pyserial's SerialException is an OSError."""
 if sys.platform != "win32":
     with contextlib.suppress(ImportError):
         import termios
 
         _PORT_ERRORS += (termios.error,)
 _NOT_ABLE: tuple[type[Exception], ...] = (AttributeError, NotImplementedError, *_PORT_ERRORS)
-"""What a port raises that has no file descriptor to wait for, or no mode of low latency."""
+"""Exceptions of a port without a file descriptor or without a low-latency mode."""
 _PARITIES = {"none": "N", "even": "E", "odd": "O"}
-_SLICE_S = 0.1  # a waiting reader looks this often whether the port was closed
-_DRAIN_QUIET_S = 0.02  # longer than a USB adapter holds bytes back (16 ms)
-_DRAIN_LIMIT_S = 2.0  # a device that streams on is not waited for
+_SLICE_S = 0.1  # period at which a waiting reader checks whether the port was closed
+_DRAIN_QUIET_S = 0.02  # longer than a USB adapter buffers bytes (16 ms)
+_DRAIN_LIMIT_S = 2.0  # maximum wait for a device that keeps streaming
 
 
 class SerialPort:
-    """Speak to one device over one serial port, opened exclusively; 8 data bits.
+    """Communicate with one device over a serial port, opened exclusively; 8 data bits.
 
-    One thread reads, any thread writes or closes. ``low_latency`` tells whether the adapter took
+    One thread reads, any thread writes or closes. ``low_latency``: whether the adapter accepted
     the low-latency mode (FTDI on Linux); a pty, a socket and CDC devices have none.
-    ``bytes_received`` and ``bytes_sent`` count from the last ``open`` on.
+    ``bytes_received`` and ``bytes_sent`` count from the last ``open``.
     """
 
     def __init__(
@@ -80,11 +80,11 @@ class SerialPort:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether the port is open."""
+        """Return whether the port is open."""
         return self._serial is not None
 
     def open(self) -> None:
-        """Open the port exclusively, with empty input; raise ConnectionFailed."""
+        """Open the port exclusively and clear its input; raise ConnectionFailed."""
         if self._serial is not None:
             return
         try:
@@ -110,15 +110,15 @@ class SerialPort:
         self._serial = opened
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
-        """Return what is there, at most maximum bytes; wait timeout_s for the first one.
+        """Return the available bytes, at most maximum; wait up to timeout_s for the first.
 
-        b"" when nothing came in time. Raises DeviceLost.
+        b"" on time-out. Raises DeviceLost.
         """
         deadline = time.monotonic() + timeout_s
         with self._reading:
             while True:
-                # The last look is after the time is over: a busy computer may have held this thread
-                # up for longer than the device.
+                # Check once more after the time-out: a busy computer may have delayed this thread
+                # for longer than the device took.
                 left = deadline - time.monotonic()
                 wait = min(_SLICE_S, max(0.0, left))
                 opened = self._usable(say("reading"))
@@ -152,7 +152,7 @@ class SerialPort:
             )
 
     def drain(self) -> bytes:
-        """Read until the line is quiet for 20 ms, at most 2 s, and return what came."""
+        """Read until the line is quiet for 20 ms, at most 2 s, and return the bytes."""
         deadline = time.monotonic() + _DRAIN_LIMIT_S
         parts = []
         while time.monotonic() < deadline:
@@ -168,8 +168,8 @@ class SerialPort:
         opened, self._serial = self._serial, None
         if opened is None:
             return
-        # A descriptor must not close under a thread that uses it: the system may give its number
-        # to another file at once. Both holders let go soon, or the port is stuck anyway.
+        # Do not close a descriptor while a thread uses it: the system may reuse its number at
+        # once. Both holders release it soon, or the port is stuck anyway.
         held = [
             lock
             for lock, patience_s in (
@@ -198,13 +198,13 @@ class SerialPort:
 
 
 def byte_counters(line: BytePort) -> dict[str, int]:
-    """Return the counted bytes of a port that counts them, as ``LineCounters`` names them."""
+    """Return the byte counters of a port by their ``LineCounters`` names, if it has any."""
     names = ("bytes_received", "bytes_sent")
     return {name: getattr(line, name) for name in names if hasattr(line, name)}
 
 
 def opened(line: BytePort, identify: Callable[[], Identity]) -> Identity:
-    """Open a line and return who answers; it is closed again when that fails."""
+    """Open a line and identify the device; close it again on failure."""
     line.open()
     try:
         return identify()
@@ -214,16 +214,16 @@ def opened(line: BytePort, identify: Callable[[], Identity]) -> Identity:
 
 
 def _read_selectable(opened: Any, maximum: int, wait_s: float) -> bytes:
-    """Read a tty, pty or socket: with time-out 0 pyserial's read takes what is there at once."""
+    """Read a tty, pty or socket: with time-out 0 pyserial returns the available bytes at once."""
     if not select.select([opened.fileno()], [], [], wait_s)[0]:
         return b""
     data = bytes(opened.read(maximum))
-    # A pty or tty gives one kernel buffer (4095 bytes) at a time; more may stand behind it.
+    # A pty or tty returns one kernel buffer (4095 bytes) at a time; more may be waiting.
     while data and len(data) < maximum:
         try:
             more = opened.read(maximum - len(data))
         except _PORT_ERRORS:
-            break  # what came before the break counts; the next call meets the error again
+            break  # return the bytes before the failure; the next call raises the error again
         if not more:
             break
         data += more
@@ -231,7 +231,7 @@ def _read_selectable(opened: Any, maximum: int, wait_s: float) -> bytes:
 
 
 def _read_counting(opened: Any, maximum: int, wait_s: float) -> bytes:
-    """Read a port without a descriptor to wait on (COM ports, ``loop://``, ``rfc2217://``)."""
+    """Read a port without a file descriptor (COM ports, ``loop://``, ``rfc2217://``)."""
     waiting = opened.in_waiting
     timeout_s = 0 if waiting else wait_s
     if opened.timeout != timeout_s:
@@ -255,7 +255,7 @@ def _set_low_latency(opened: Any) -> bool:
     try:
         opened.set_low_latency_mode(True)
     except _NOT_ABLE:
-        # So pyserial tells that this system, or this kind of port, has no such mode.
+        # pyserial raises this if the system or the kind of port has no such mode.
         return False
     return True
 
@@ -264,14 +264,14 @@ def _close_quietly(opened: Any) -> None:
     peer = getattr(opened, "_socket", None)
     with contextlib.suppress(Exception):
         opened.close()
-    # pyserial leaves the socket open when the peer went away first.
+    # pyserial leaves the socket open if the peer closed first.
     if peer is not None:
         with contextlib.suppress(OSError):
             peer.close()
 
 
 def _why_not_opened(error: Exception, port: str) -> tuple[type[ConnectionFailed], str]:
-    """Return the kind of error of a port that does not open, and its sentence."""
+    """Return the error class and the sentence for a port that cannot be opened."""
     number = getattr(error, "errno", None)
     text = sentence_of_error(error)
     if number in (errno.EAGAIN, errno.EBUSY) or "exclusively lock" in text:
@@ -298,9 +298,9 @@ def _why_not_opened(error: Exception, port: str) -> tuple[type[ConnectionFailed]
 
 
 def holder_of(port: str) -> str:
-    """Return the name and number of a process that has a port open, "" where none is seen.
+    """Return the name and PID of a process that has a port open, "" if none is visible.
 
-    Those of other users can only be seen by root.
+    Only root sees the processes of other users.
     """
     real = os.path.realpath(port)
     for process in Path("/proc").glob("[0-9]*"):

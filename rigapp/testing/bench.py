@@ -363,7 +363,7 @@ class SpindleBench:
         return thread
 
     def is_safe(self) -> bool:
-        """Tell whether nothing drives the motor and it stands."""
+        """Return whether nothing drives the motor and it stands."""
         return self.motor.speed_count_per_s == 0.0 and self.motor.command.duty == 0.0
 
     def stops_within(self, seconds: float, since_s: float, what: str) -> None:

@@ -196,7 +196,7 @@ class Readings:
 
     @property
     def supervision_is_due(self) -> bool:
-        """Tell whether it is time to read the supervision of this computer back again."""
+        """Return whether it is time to read the supervision of this computer back again."""
         return self._motions % WATCHDOG_PERIOD == 0
 
     def condition(self) -> Condition:

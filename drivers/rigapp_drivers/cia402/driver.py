@@ -410,7 +410,7 @@ class Cia402Drive:
         node.write(0x6040, Control.QUICK_STOP)
 
     def _left_enabled(self, motion: AxisMotion) -> bool:
-        """Tell whether the drive stopped by itself, as one does whose restart nobody has seen."""
+        """Return whether the drive stopped by itself, as one does whose restart nobody has seen."""
         return self._target is not None and state_of(motion.status_word) is not State.ENABLED
 
     def _check_setup(self, node: CanNode, objects: Iterable[Place], setup: Setup) -> None:

@@ -49,7 +49,7 @@ class Rate:
 
 
 def checked(rate: Rate, entries: int) -> bool:
-    """Tell whether a combination may be sent for a scan list of so many entries."""
+    """Return whether a combination may be sent for a scan list of so many entries."""
     smallest = max(SMALLEST_SRATE, TICKS_PER_ENTRY * entries)
     return (rate.dec, rate.deca) in DECIMATIONS and smallest <= rate.srate <= LARGEST_SRATE
 

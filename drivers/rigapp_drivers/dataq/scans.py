@@ -69,7 +69,7 @@ class Steps:
 
     @property
     def exact(self) -> bool:
-        """Tell whether the counter clocks the scans: one count, one scan."""
+        """Return whether the counter clocks the scans: one count, one scan."""
         return self.lowest == self.highest == 1
 
     @property

@@ -139,7 +139,7 @@ class Stream:
 
     @property
     def running(self) -> bool:
-        """Tell whether the stream was started and has neither been stopped nor died."""
+        """Return whether the stream was started and has neither been stopped nor died."""
         return self._running
 
     def start(self) -> None:

@@ -1,1 +1,1 @@
-"""The ME-Systeme GSV-8: bridges, voltages and encoder in one frame. Enter by ``driver``."""
+"""The ME-Systeme GSV-8: bridges, voltages and encoder in one frame. Import ``driver``."""

@@ -1,7 +1,7 @@
-"""Set a GSV-8 to a plan: read, compare, write only what differs, and read everything back.
+"""Configure a GSV-8 by a plan: read, compare, write only what differs, and read everything back.
 
-The settings memory of the device bears a limited number of writes (SPEC p24), so nothing is
-written that already stands there.
+The settings memory of the device allows a limited number of writes (SPEC p24), so values that are
+already set are not written.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ from rigapp_drivers.gsv8.plan import Plan
 from rigapp_drivers.gsv8.protocol import Command, InputType, u8
 from rigapp_drivers.gsv8.registers import Registers, Setting
 
-_NO_CHANGE: Final = 0  # of the transmission; the checksum of measured values is off until set
+_NO_CHANGE: Final = 0  # keeps the transmission; the checksum of measured values is off until set
 
 
 def ask(line: BytePort, timeout_s: float) -> Identity | None:
-    """Return who answers the read of the firmware's version; the stream goes on as it was."""
+    """Probe by reading the firmware version; return the identity. The stream is not affected."""
     link = Link(line, timeout_s)
     try:
         version = link.command(Command.FIRMWARE_VERSION, reply=4, tries=1)
@@ -53,7 +53,7 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
 def identity_of(
     model: str, firmware: tuple[int, int], number: bytes, port: str, details: Mapping[str, str]
 ) -> Identity:
-    """Return who answers; number: the data of the serial number."""
+    """Return the identity; number: the data of the serial number."""
     serial = f"{int.from_bytes(number, 'big'):08d}"
     return Identity("ME-Systeme", model, p.version_words(firmware), serial, port, details)
 
@@ -66,14 +66,14 @@ _log = logging.getLogger(__name__)
 Readback = dict[str, str | float | int]
 
 _FALSIFYING_MODES = p.MODE_MULTI_AXIS | p.MODE_NOISE_CUT | p.MODE_AUTO_ZERO
-_LINE_GROUPS = {0: (3, 4), 1: (4,)}  # groups of four digital lines that a counter's pins are in
-_LINE_SHARE = 0.95  # of a serial line's capacity that the stream may take
+_LINE_GROUPS = {0: (3, 4), 1: (4,)}  # counter -> groups of four digital lines with its pins
+_LINE_SHARE = 0.95  # maximum share of a serial line's capacity for the stream
 _BITS_PER_BYTE = 10.0  # with start and stop bit
 _SERIAL_LINES = (1, 2, 6)  # kinds of interface with a baud rate
 
 
 class Commissioner:
-    """Set one device; ``writes`` counts the writes to its settings memory."""
+    """Configure one device; ``writes`` counts the writes to its settings memory."""
 
     def __init__(self, link: Link, firmware: tuple[int, int], baud_rate: int) -> None:
         self.writes = 0
@@ -85,12 +85,12 @@ class Commissioner:
         self._baud_rate = baud_rate
 
     def set_up(self, plan: Plan) -> FrameLayout:
-        """Set the device to the plan, fill ``readback``; return the frames that it will send."""
+        """Configure the device, fill ``readback``; return the layout of its frames."""
         self._check_firmware(plan)
         self._link.checksum = plan.command_checksum
         plan, interface = self._choose_checksum(plan)
         offset_binary = self._check_line(interface.number, plan)
-        # A rate too high for the new format is lowered first, a higher one set last.
+        # Lower a rate that is too high for the new format first; set a higher one last.
         slower = plan.sample_rate_Hz < self._registers.get(r.RATE)
         if slower:
             self._set_rate(plan)
@@ -132,12 +132,12 @@ class Commissioner:
                 )
 
     def _choose_checksum(self, plan: Plan) -> tuple[Plan, p.InterfaceReply]:
-        """Open the session, with a checksum of the data where nobody forbids it and it can be."""
+        """Open the session, with a checksum of the data if allowed and supported."""
         if plan.data_checksum is not None:
             return plan, self._open_session(plan)
         protected = replace(plan, data_checksum=True)
         if self._firmware >= p.CHECKSUM_FIRMWARE:
-            with contextlib.suppress(SettingRefused):  # then without it, which raises what matters
+            with contextlib.suppress(SettingRefused):  # retry without it; that raises other errors
                 interface = self._open_session(protected)
                 self._check_line(interface.number, protected)
                 return protected, interface
@@ -156,7 +156,7 @@ class Commissioner:
         return reply
 
     def _check_line(self, number: int, plan: Plan) -> bool:
-        """Check what the line carries; return whether integers are offset-binary on it."""
+        """Check the line's capabilities; return whether its integers are offset-binary."""
         facts = self.readback
         setting = self._registers.interface_setting(number)
         if setting is None:
@@ -186,7 +186,7 @@ class Commissioner:
     # --- the settings ---------------------------------------------------------------------------
 
     def _ensure(self, setting: Setting, wanted: Any) -> None:
-        """Write a setting if it differs, and check that it then stands there."""
+        """Write a setting if it differs, and verify it."""
         before = self._registers.get(setting)
         if _same(before, wanted):
             return
@@ -208,7 +208,7 @@ class Commissioner:
             )
 
     def _set_once(self, setting: Setting, wanted: Any) -> None:
-        """Write a setting; again only when it does not stand there although it was sent."""
+        """Write a setting; repeat only if the readback shows the old value."""
         try:
             self._registers.set(setting, wanted)
         except ReplyTimeout:
@@ -237,7 +237,7 @@ class Commissioner:
             self._ensure(r.counter_home(counter), plan.counter_home)
             wanted = plan.counters[counter].encode()
         else:
-            # A counter that is not wanted would still take a place in the frame.
+            # An unused counter would still be an object of the frame.
             wanted = flags & ~(p.COUNTER_ON | p.SPEED_ON | p.COUNTER_PRESENT)
         self._ensure(r.counter_mode(counter, mask=~p.COUNTER_PRESENT), wanted)
 
@@ -266,7 +266,7 @@ class Commissioner:
     # --- reading back ---------------------------------------------------------------------------
 
     def _read_all(self, plan: Plan, interface: p.InterfaceReply) -> None:
-        """Read every setting once more, since one may have changed another (status 01)."""
+        """Read every setting again, since writing one may change another (status 01)."""
         facts, registers = self.readback, self._registers
         facts["sample_rate_Hz"] = registers.get(r.RATE)
         facts["data_type"] = DataType(registers.get(r.DATA_TYPE)).name.lower()

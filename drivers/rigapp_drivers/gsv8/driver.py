@@ -152,16 +152,16 @@ SETTINGS: Mapping[str, SettingSpec] = {
 _log = logging.getLogger(__name__)
 
 _INJECT_NOTHING, _INJECT_HALF_SCALE = 0, 1
-_HALF_SCALE_TOLERANCE = 1e-3  # of the expected value
+_HALF_SCALE_TOLERANCE = 1e-3  # relative
 _SETTLING_S = 0.005  # of the injected test value, analog
 _SETTLING_PERIODS = 5.0  # of the digital filter, in samples
-_READ_SLICE_S = 0.05  # so late may a stop be seen
-_ONLY_STREAMS_FROM_HZ = 24000.0  # from this rate on the device may leave commands unanswered
+_READ_SLICE_S = 0.05  # maximum delay until a stop is noticed
+_ONLY_STREAMS_FROM_HZ = 24000.0  # from this rate the device may not answer commands
 
 
 @dataclass(frozen=True, slots=True)
 class HalfScale:
-    """One channel under the device's test value: half of its range is expected."""
+    """Result of one channel with the device's test value: half of its range is expected."""
 
     name: str
     measured: float
@@ -170,7 +170,7 @@ class HalfScale:
 
     @property
     def right(self) -> bool:
-        """Tell whether the value came through as it should."""
+        """Return whether the value is within the tolerance."""
         return abs(self.measured - self.expected) <= _HALF_SCALE_TOLERANCE * abs(self.expected)
 
 
@@ -235,10 +235,10 @@ class Gsv8:
         self._streaming = True
 
     def read(self, timeout_s: float) -> Block | None:
-        """Return the next Block, None when none came in time.
+        """Return the next Block, None on time-out.
 
-        Raises DeviceLost, DataOverrun (``on_overrun = "stop"``), ProtocolError when the frames are
-        not those that were set, ReplyTimeout when the device streams but answers no more.
+        Raises DeviceLost, DataOverrun (``on_overrun = "stop"``), ProtocolError for other frame
+        layouts, ReplyTimeout if the device streams but no longer answers.
         """
         blocks, watch = self._blocks, self._watch
         if blocks is None or watch is None:
@@ -264,7 +264,7 @@ class Gsv8:
         return block
 
     def zero(self, inputs: Sequence[str]) -> None:
-        """Zero inputs in the device, which stores it; raise SettingRefused where it cannot."""
+        """Zero inputs in the device, which stores the zero; raise SettingRefused."""
         registers = Registers(self._link, self._firmware)
         for name in inputs:
             channel = self._channel(name)
@@ -278,7 +278,7 @@ class Gsv8:
             _log.info("%s: %s was zeroed in the device", self.name, name)
 
     def half_scale(self) -> tuple[HalfScale, ...]:
-        """Feed the device's test value to all analog channels and return what arrives.
+        """Apply the device's test value to all analog channels and return the measured values.
 
         An end-to-end check of scales and object order, for commissioning; not while streaming.
         Raises SettingRefused or ReplyTimeout. The normal inputs are restored in any case.
@@ -303,16 +303,16 @@ class Gsv8:
         return tuple(results)
 
     def stop(self) -> None:
-        """Stop streaming; safe to call twice. Samples that came before can still be read."""
+        """Stop streaming; safe to call twice. Samples received before can still be read."""
         if self._streaming:
             self._streaming = False
             self._link.command(Command.STOP_TRANSMISSION)
 
     def close(self) -> None:
-        """Stop the stream, give the write access back, release the port; never raises."""
+        """Stop the stream, return the write access, release the port; never raises."""
         if not self._line.is_open:
             return
-        # One try each: a device that hangs must not hold up the end of a test.
+        # One try each: a device that hangs must not delay the end of a test.
         goodbye = []
         if self._layout is not None and self._layout.checksum:
             goodbye.append((Command.GET_INTERFACE, u8(1)))  # other programs expect no checksum
@@ -326,15 +326,15 @@ class Gsv8:
 
     @property
     def tally(self) -> Tally:
-        """Return what went wrong on the line since the stream was started."""
+        """Return the counts of line errors since the stream was started."""
         return self._link.tally
 
     def input_faults(self) -> tuple[InputFault, ...]:
-        """Return what the device said of its inputs since the start, oldest first."""
+        """Return the input faults reported since the start, oldest first."""
         return () if self._watch is None else self._watch.faults
 
     def counters(self) -> Mapping[str, int]:
-        """Return what was counted on the line since it was opened or the stream started."""
+        """Return the counters of the line since it was opened or the stream started."""
         tally = self._link.tally
         return {
             **byte_counters(self._line),
@@ -398,7 +398,7 @@ class Gsv8:
         return self._plan, self._layout
 
     def _channel(self, name: str) -> int:
-        """Return the device's channel number of an input; counters in use come behind the eight."""
+        """Return the device's channel number of an input; counters in use follow the eight."""
         with refusing(self):
             family, number = parse_input(name)
         if family == "analog":
@@ -410,12 +410,12 @@ class Gsv8:
 
 
 def _idle(left_s: float) -> None:
-    """Wait a moment, so that a reader of a stopped device does not spin."""
+    """Pause briefly, so that reading a stopped device is no busy loop."""
     time.sleep(min(max(left_s, 0.0), _READ_SLICE_S))
 
 
 def check(request: DataRequest) -> None:
-    """Raise InvalidRequest for what no such device can do; nothing is opened."""
+    """Raise InvalidRequest for what no such device supports; no port is opened."""
     make_plan(request, filled(SETTINGS, request.settings))
 
 

@@ -1,13 +1,13 @@
-"""Cut the byte stream of a GSV-8 into responses and measured values.
+"""Split the byte stream of a GSV-8 into responses and measured values.
 
 Serial frames (SPEC p9-16): prefix AA, header, third byte, data, optional checksum, suffix 85. The
-payload may hold AA and 85, so frames are found by their length and never split at delimiters: on
+payload may contain AA and 85, so frames are found by their length and never split at delimiters: on
 any mismatch one byte is dropped and the search starts again (the safe rule of the protocol).
 The normal case, contiguous frames of one kind, is checked and decoded in bulk; so is the search.
 
-Where bytes are lost inside a frame, its head and a later frame's end can look like one whole frame.
-A checksum finds that. Without one the last frame is held back until another follows at its end: a
-splice stands where no frame follows.
+If bytes are lost inside a frame, its head and a later frame's end can look like one complete frame.
+A checksum detects that. Without one the last frame is held back until another follows at its end:
+after a spliced frame no frame follows.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ _TYPE_MASK = 0xF0  # third byte of measured values: bit 7 set, b6:4 data type, b
 _SATURATED = 0x01
 _LONG_FORM = 15
 
-_FIRST_BULK = 64  # frames that are checked together after damage
+_FIRST_BULK = 64  # frames checked together after damage
 _MAXIMUM_BULK = 1 << 15
-_FIRST_LOOK = 64  # bytes that are searched at first after damage
+_FIRST_LOOK = 64  # bytes searched first after damage
 _MAXIMUM_LOOK = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
 class FrameLayout:
-    """Describe the measured-value frames that the device was set to send.
+    """Layout of the measured-value frames that the device is configured to send.
 
     objects: values of one sample (analog channels first, counters last).
     high_speed: several samples may share a frame, oldest first.
@@ -52,12 +52,12 @@ class FrameLayout:
     offset_binary: bool = True
 
     def length(self, sequences: int = 1) -> int:
-        """Return the bytes of a frame of so many samples."""
+        """Return the length in bytes of a frame of ``sequences`` samples."""
         data = sequences * self.objects * self.data_type.width
         return 4 + data + (2 if self.checksum else 0)
 
     def header(self, sequences: int = 1) -> int:
-        """Return the header byte of a frame of so many samples."""
+        """Return the header byte of a frame of ``sequences`` samples."""
         return (0x30 if self.checksum else 0x10) | (sequences * self.objects - 1)
 
     @property
@@ -67,13 +67,13 @@ class FrameLayout:
 
     @property
     def most_sequences(self) -> int:
-        """Return the most samples that one frame can hold."""
+        """Return the maximum number of samples per frame."""
         return 16 // self.objects if self.high_speed else 1
 
 
 @dataclass(frozen=True, slots=True)
 class Response:
-    """An answer to a request: status 0 is success, data is b"" otherwise."""
+    """Response to a request: status 0 is success, data is b"" otherwise."""
 
     status: int
     data: bytes = b""
@@ -93,7 +93,7 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Parsed:
-    """What one piece of the stream held, in order of arrival within each list."""
+    """Content of one piece of the stream, in order of arrival within each list."""
 
     responses: list[Response] = field(default_factory=list)
     runs: list[Run] = field(default_factory=list)
@@ -101,7 +101,7 @@ class Parsed:
 
 @dataclass(slots=True)
 class Tally:
-    """Count what went wrong on the line since the parser was made."""
+    """Counts of line errors since the parser was created."""
 
     dropped_bytes: int = 0
     resynchronisations: int = 0
@@ -128,7 +128,7 @@ def encode_frames(
 ) -> NDArray[np.uint8]:
     """Return (frames, length) bytes of measured-value frames for values (objects, samples).
 
-    samples must be a multiple of sequences; saturated: (samples,) flags, any one marks its frame.
+    samples must be a multiple of sequences; saturated: (samples,) flags; one marks its whole frame.
     """
     objects, count = values.shape
     width = sequences * objects * layout.data_type.width
@@ -155,9 +155,9 @@ class StreamParser:
     """Parse a stream piece by piece; only the unconsumed tail is kept between pieces.
 
     Without a layout, measured values of any layout are skipped and only responses are returned.
-    With one, whole frames of another layout are counted as foreign, and their samples are lost.
-    ``response_expected``: while the stream is out of step, take what looks like a response; in
-    step, responses are taken always. hold: give no sample before its frame is followed by another
+    With one, complete frames of another layout are counted as foreign, and their samples are lost.
+    ``response_expected``: accept an apparent response while the stream is out of step; in step,
+    responses are always accepted. hold: return no sample before its frame is followed by another
     one or a response.
     """
 
@@ -179,7 +179,7 @@ class StreamParser:
         )
 
     def feed(self, data: bytes) -> Parsed:
-        """Take the next bytes and return what they complete."""
+        """Parse the next bytes and return the completed frames."""
         buffer = self._tail + data if self._tail else data
         parsed = Parsed()
         position = self._parse(buffer, parsed)
@@ -187,10 +187,10 @@ class StreamParser:
         return parsed
 
     def give_up_tail(self) -> Parsed:
-        """Take a frame that does not go on for damaged and look for what stands behind its start.
+        """Treat an incomplete frame as damaged and continue the search after its first byte.
 
-        For use when the line is silent although an answer is due. A whole frame that was held back
-        is given.
+        For use when the line is silent although a response is due. A complete frame that was held
+        back is returned.
         """
         parsed = Parsed()
         if self._tail:
@@ -231,7 +231,7 @@ class StreamParser:
         return position
 
     def _length_at(self, buffer: bytes, position: int) -> int:
-        """Return the length of the frame that seems to start here, 0 when none can."""
+        """Return the length of the frame that may start here, 0 if none can."""
         head, third = buffer[position + 1], buffer[position + 2]
         length = int(self._lengths(self._in_step)[head, third])
         if length == 0 or head & 0xD0 != 0x10 or self._is_own(head, third):
@@ -239,7 +239,7 @@ class StreamParser:
         return 0 if self._hides_own_frame(buffer, position, length) else length
 
     def _lengths(self, in_step: bool) -> NDArray[np.int16]:
-        """Return the table of lengths by header and third byte that holds now."""
+        """Return the valid table of lengths by header and third byte."""
         responses = in_step or self.response_expected
         return _frame_lengths(self.layout, responses, in_step or self.layout is None)
 
@@ -248,9 +248,9 @@ class StreamParser:
         return layout is not None and head in self._sequences and third & _TYPE_MASK == layout.third
 
     def _hides_own_frame(self, buffer: bytes, position: int, length: int) -> bool:
-        """Tell whether an own frame starts inside where an own frame that began here would end.
+        """Return whether an own frame starts inside this one, where a shorter own one would end.
 
-        Then it is an own frame with a damaged head, and its false length would swallow good ones.
+        Then this is an own frame with a damaged head, and its false length would consume good ones.
         """
         layout = self.layout
         if layout is None:
@@ -283,13 +283,13 @@ class StreamParser:
         given = good if follows else good - 1
         if given:
             parsed.runs.append(self._run(rows[:given], layout))
-        # Halting bulks would cost the square of the damage; growing ones cost its logarithm.
+        # Bulks of constant size would cost the square of the damage; growing ones its logarithm.
         self._bulk = min(self._bulk * 4, _MAXIMUM_BULK) if good == count else _FIRST_BULK
         end = start + given * length
         return self._skip(buffer, end) if follows is False else end
 
     def _follows(self, buffer: bytes, end: int) -> bool | None:
-        """Tell whether a frame or a response begins at the end of a frame; None: not known yet."""
+        """Return whether a frame or a response begins at the end of a frame; None: unknown yet."""
         if end < len(buffer) and buffer[end] != PREFIX:
             return False
         if end + 3 > len(buffer):
@@ -314,7 +314,7 @@ class StreamParser:
         return Run(values, quality, lost)
 
     def _step_found(self, quality: NDArray[np.uint8], length: int, sequences: int) -> int:
-        """Flag the first sample behind a damage; return how many samples the damage cost."""
+        """Flag the first sample after damaged bytes; return the number of lost samples."""
         if self._in_step and not self._damaged:
             return 0
         lost = max(self._damaged, self._dropped // length * sequences)
@@ -330,7 +330,7 @@ class StreamParser:
         self._in_step, self._dropped, self._damaged = True, 0, 0
 
     def _take_other(self, buffer: bytes, start: int, length: int, parsed: Parsed) -> int:
-        """Take a response, or skip a measured-value frame of another layout."""
+        """Parse a response, or skip a measured-value frame of another layout."""
         frame = buffer[start : start + length]
         if frame[-1] != SUFFIX:
             return self._skip(buffer, start)
@@ -355,7 +355,7 @@ class StreamParser:
         return start + length
 
     def _skip(self, buffer: bytes, position: int) -> int:
-        """Drop one byte, and all behind it that cannot start a whole frame."""
+        """Drop one byte and all following ones that cannot start a complete frame."""
         self._bulk = _FIRST_BULK
         if self._in_step:
             self._in_step = False
@@ -369,9 +369,9 @@ class StreamParser:
         return following
 
     def _next_start(self, octets: NDArray[np.uint8], position: int) -> int:
-        """Return the first place from position on where a whole frame may start, or the end.
+        """Return the first position where a complete frame may start, or the end.
 
-        It looks further and further ahead, so that its cost is in proportion to what it passes.
+        The search window grows, so that the cost is proportional to the skipped bytes.
         """
         look = _FIRST_LOOK
         while position < len(octets):
@@ -385,7 +385,7 @@ class StreamParser:
         return len(octets)
 
     def _may_start(self, octets: NDArray[np.uint8], starts: NDArray[np.int64]) -> NDArray[np.bool_]:
-        """Tell at which places with a prefix a whole frame starts, or one that is still coming."""
+        """Return at which prefix positions a complete or still incomplete frame starts."""
         lengths = self._lengths(False)
         length = _looked_up(lengths, octets, starts)
         ends = starts + length
@@ -403,7 +403,7 @@ class StreamParser:
         return complete | coming & (length > 0)
 
     def _may_follow(self, octets: NDArray[np.uint8], ends: NDArray[np.int64]) -> NDArray[np.bool_]:
-        """Tell at which ends a frame or a response begins, as far as its first bytes tell."""
+        """Return at which ends a frame or a response may begin, judged by its first bytes."""
         following = octets[np.minimum(ends, len(octets) - 1)] == PREFIX
         plausible = _looked_up(self._lengths(True), octets, ends) > 0
         return (ends >= len(octets)) | following & plausible
@@ -411,9 +411,9 @@ class StreamParser:
 
 @functools.lru_cache(maxsize=64)
 def _frame_lengths(layout: FrameLayout | None, responses: bool, foreign: bool) -> NDArray[np.int16]:
-    """Return the length of the frame that header and third byte announce, (256, 256); 0: none.
+    """Return the frame length by header and third byte, (256, 256); 0: none.
 
-    responses: take answers to requests. foreign: take measured values of any layout.
+    responses: accept responses to requests. foreign: accept measured values of any layout.
     """
     head, third = np.ogrid[:256, :256]
     count, checked, number = head & 0x0F, head >> 5 & 1, third >> 4 & 7
@@ -436,7 +436,7 @@ def _frame_lengths(layout: FrameLayout | None, responses: bool, foreign: bool) -
 def _looked_up(
     lengths: NDArray[np.int16], octets: NDArray[np.uint8], starts: NDArray[np.int64]
 ) -> NDArray[np.int64]:
-    """Return the announced length at each place; 3, the least, where the stream ends before."""
+    """Return the frame length at each position; 3, the minimum, if the stream ends before."""
     last = len(octets) - 1
     length = lengths[octets[np.minimum(starts + 1, last)], octets[np.minimum(starts + 2, last)]]
     return np.where(starts + 2 > last, 3, length).astype(np.int64)
@@ -445,7 +445,7 @@ def _looked_up(
 def _checks(
     octets: NDArray[np.uint8], starts: NDArray[np.int64], lengths: NDArray[np.int64]
 ) -> NDArray[np.bool_]:
-    """Tell which whole frames have the checksum that they carry."""
+    """Return which complete frames have a correct checksum."""
     right = np.zeros(len(starts), dtype=np.bool_)
     for length in np.unique(lengths).tolist():
         these = lengths == length
@@ -456,7 +456,7 @@ def _checks(
 
 
 def _leading_good(rows: NDArray[np.uint8], head: int, third: int, checksum: bool) -> int:
-    """Return how many rows from the first on are whole frames with this head."""
+    """Return the number of leading rows that are complete frames with this head."""
     good = (
         (rows[:, 0] == PREFIX)
         & (rows[:, 1] == head)

@@ -1,8 +1,8 @@
 """Exchange requests, responses and measured values with a GSV-8 over a byte port.
 
-Responses come between measured values. Whoever waits, a command or the reading thread, reads the
-port in turn: samples that a command meets are kept for the reader, an answer that the reader meets
-goes to its command.
+Responses arrive between measured values. A waiting command and the reading thread take turns at
+the port: samples received by a command are kept for the reader, a response received by the reader
+is passed to its command.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from rigapp_drivers.gsv8.words import status_words
 _log = logging.getLogger(__name__)
 
 _READ_BYTES = 1 << 18
-_SLICE_S = 0.02  # so late may a stop be seen
-_BUSY_STATUSES = frozenset((0x43, 0x5A, 0x92, 0x99))  # wrong on the way, or busy: ask again
+_SLICE_S = 0.02  # maximum delay until a stop is noticed
+_BUSY_STATUSES = frozenset((0x43, 0x5A, 0x92, 0x99))  # transmission error, or busy: retry
 _DONE = (0x00, 0x01)
-_FOREIGN_LIMIT = 3  # one may be a damaged frame; three in a row are another setting
-_MOST_KEPT_SAMPLES = 1 << 20  # 22 s at the highest rate: nobody reads
+_FOREIGN_LIMIT = 3  # one may be a damaged frame; three in a row mean another setting
+_MOST_KEPT_SAMPLES = 1 << 20  # 22 s at the highest rate without a reader
 
 
 @dataclass(frozen=True, slots=True)
 class TimedRun:
-    """Samples and when their last byte was read (``time.monotonic_ns``)."""
+    """Samples and the time at which their last byte was read (``time.monotonic_ns``)."""
 
     run: Run
     host_time_ns: int
@@ -40,10 +40,10 @@ class TimedRun:
 
 @dataclass(slots=True)
 class Pending:
-    """A request on its way, and its answer when that is there.
+    """A pending request, and its response once received.
 
-    reply: how many data bytes the answer has; None: any. stray: an answer of another length came,
-    which belongs to an earlier request.
+    reply: number of data bytes of the response; None: any. stray: a response of another length was
+    received, which belongs to an earlier request.
     """
 
     command: Command
@@ -54,15 +54,15 @@ class Pending:
     answered: threading.Event = field(default_factory=threading.Event)
 
     def fits(self, response: Response) -> bool:
-        """Tell whether a response can be the answer."""
+        """Return whether a response may belong to the request."""
         return bool(response.status) or self.reply in (None, len(response.data))
 
 
 class Link:
-    """Speak with one device; commands are serialised, one thread at a time reads the port.
+    """Communicate with one device; commands are serialised, one thread at a time reads the port.
 
-    Samples that nobody fetches are kept up to 2**20, then the oldest are dropped and counted as
-    lost. ``checksum``: protect commands by a CRC-8.
+    Up to 2**20 samples are buffered, then the oldest are dropped and counted as lost.
+    ``checksum``: protect commands by a CRC-8.
     """
 
     def __init__(self, port: BytePort, reply_timeout_s: float = 1.0) -> None:
@@ -82,13 +82,13 @@ class Link:
 
     @property
     def tally(self) -> Tally:
-        """Return what went wrong on the line since the layout was set."""
+        """Return the counts of line errors since the layout was set."""
         return self._parser.tally
 
     def expect(self, layout: FrameLayout | None, *, hold: bool = False) -> None:
-        """Forget all samples and expect frames of this layout; None: skip measured values.
+        """Discard all samples and expect frames of this layout; None: skip measured values.
 
-        hold: give no sample before something whole follows it, see ``StreamParser``.
+        hold: return no sample before a complete frame follows it, see ``StreamParser``.
         """
         with self._reading:
             self._parser = StreamParser(layout, hold=hold)
@@ -103,13 +103,13 @@ class Link:
         tries: int = 3,
         patience: float = 1.0,
     ) -> bytes:
-        """Return the data of the answer, ``reply`` bytes.
+        """Send a request and return the data of the response, ``reply`` bytes.
 
-        patience: how many times longer than usual to wait. Raises SettingRefused with the status
-        in words, ReplyTimeout, ProtocolError, DeviceLost.
+        patience: factor on the time-out. Raises SettingRefused with the status in words,
+        ReplyTimeout, ProtocolError, DeviceLost.
         """
         response = self.exchange(command, parameters, reply=reply, tries=tries, patience=patience)
-        # "Done, and more was changed" comes without data, so it is no answer to a question.
+        # The status "done, and more was changed" has no data, so it cannot answer a read.
         if response.status not in _DONE or (reply and response.status):
             raise SettingRefused.at(
                 self.port, "{} was refused: {}.", command.words, status_words(response.status)
@@ -127,8 +127,8 @@ class Link:
     ) -> Response:
         """Send a request and return its response, whatever its status.
 
-        reply: data bytes of a good answer; None: any. Raises ReplyTimeout, and ProtocolError when
-        only answers of another length came.
+        reply: data bytes of a valid response; None: any. Raises ReplyTimeout, and ProtocolError if
+        only responses of another length were received.
         """
         if not self._commanding.acquire(timeout=4.0 * tries * self.reply_timeout_s):
             raise self._timeout(command, say("the previous command is not finished"))
@@ -169,9 +169,9 @@ class Link:
     def post(
         self, command: Command, parameters: bytes = b"", *, reply: int | None = None
     ) -> Pending | None:
-        """Send a request without waiting; None when another one is under way.
+        """Send a request without waiting; None while another one is pending.
 
-        Its answer comes while samples are read; ``abandon`` it when it does not.
+        The response is received while samples are read; call ``abandon`` if it is missing.
         """
         if not self._commanding.acquire(blocking=False):
             return None
@@ -183,12 +183,12 @@ class Link:
             self._commanding.release()
 
     def abandon(self, pending: Pending) -> None:
-        """Wait no longer for the answer to a posted request."""
+        """Stop waiting for the response to a posted request."""
         if self._pending is pending:
             self._forget()
 
     def one_frame(self, layout: FrameLayout) -> Run:
-        """Ask for one measured value (while the device does not stream) and return it."""
+        """Request one measured value (while the device does not stream) and return it."""
         self.expect(layout)
         with self._commanding:
             self._outwait_posted()
@@ -202,7 +202,7 @@ class Link:
         raise self._timeout(Command.GET_VALUE, say("no measured value received"))
 
     def read(self, timeout_s: float) -> None:
-        """Read the port once, unless another thread does it; wait timeout_s at most."""
+        """Read the port once, unless another thread is reading; wait up to timeout_s."""
         if self._reading.acquire(timeout=max(timeout_s, 0.0)):
             try:
                 self._pump(timeout_s)
@@ -210,7 +210,7 @@ class Link:
                 self._reading.release()
 
     def take(self) -> list[TimedRun]:
-        """Return the samples that came, oldest first."""
+        """Return the received samples, oldest first."""
         with self._keeping:
             runs = list(self._runs)
             self._runs.clear()
@@ -234,7 +234,7 @@ class Link:
         self._parser.response_expected = False
 
     def _await(self, pending: Pending, timeout_s: float) -> bool:
-        """Wait for an answer, reading the port when no other thread does."""
+        """Wait for a response; read the port unless another thread is reading."""
         deadline = time.monotonic() + timeout_s
         while not pending.answered.is_set():
             left = deadline - time.monotonic()
@@ -251,12 +251,12 @@ class Link:
 
     def _pump_for_answer(self, left_s: float) -> None:
         silent = not self._pump(min(left_s, 2.0 * _SLICE_S))
-        # A frame begun and never ended must not hide the answer behind it.
+        # An incomplete frame must not hide the response that follows it.
         if silent and left_s < self.reply_timeout_s / 2.0 and self._parser.waiting_bytes:
             self._sort(self._parser.give_up_tail(), time.monotonic_ns())
 
     def _pump(self, timeout_s: float) -> bool:
-        """Read what is there and sort it; tell whether anything came. Needs the reading lock."""
+        """Read and sort the available bytes; return whether there were any. Needs the read lock."""
         data = self.port.read_some(_READ_BYTES, timeout_s)
         if not data:
             return False
@@ -300,20 +300,20 @@ class Link:
             self._hand_on(lost)
 
     def _hand_on(self, lost: int) -> None:
-        """Add lost samples to the oldest run that is kept."""
+        """Add lost samples to the oldest buffered run."""
         oldest = self._runs.popleft()
         run = Run(oldest.run.values, oldest.run.quality, oldest.run.lost_before + lost)
         self._runs.appendleft(TimedRun(run, oldest.host_time_ns))
 
     def _outwait_posted(self) -> None:
-        """Let the answer to a posted request come first: answers do not say what they answer."""
+        """Wait for the response to a posted request: responses do not identify their request."""
         posted = self._pending
         if posted is not None:
             self._await(posted, self.reply_timeout_s / 2.0)
         self._forget()
 
     def _outwait_late_replies(self) -> None:
-        """Let the answers to questions that got none in time pass unheard."""
+        """Wait for and discard late responses to requests that timed out."""
         self._forget()
         while until_s := self._open.open_until_s():
             self.read(min(_SLICE_S, max(0.0, until_s - time.monotonic())))

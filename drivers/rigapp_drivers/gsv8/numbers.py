@@ -1,7 +1,7 @@
 """Convert the three number formats of measured-value frames (SPEC p14-16).
 
-Integers on the wire are offset-binary on most interfaces and two's complement on some; a basic
-interface flag tells which. In both cases the code here is signed: 0 is zero input, and the
+Integers on the wire are offset-binary on most interfaces and two's complement on some, as given by
+a basic interface flag. In both cases the code here is signed: 0 is zero input, and the
 normalised input is ``code * 1.05 / 2**23`` (int24) or ``code * 1.05 / 2**15`` (int16).
 """
 
@@ -39,7 +39,7 @@ class DataType(enum.IntEnum):
 
 
 def scale_of_code(data_type: DataType, nominal_range: float) -> float:
-    """Return the electrical signal of one step of an integer code, in the unit of the range."""
+    """Return the electrical signal per step of an integer code, in the unit of the range."""
     if data_type is DataType.FLOAT32:
         raise ValueError(say("float32 values are scaled in the device"))
     return nominal_range * OVERRANGE / 2.0 ** (data_type.bits - 1)

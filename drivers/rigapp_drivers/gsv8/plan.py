@@ -1,4 +1,4 @@
-"""Turn a data request into what the device shall be set to; pure, no device needed."""
+"""Convert a data request into the settings of the device; pure, no device needed."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ _LONGEST_RANGE_V = 10.0
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """What the device shall be set to.
+    """Required settings of the device.
 
     objects: inputs in the order of the frame; channels: the requested inputs in their order.
     analog: channel number -> input type. counters: counter number (0, 1) -> mode. data_checksum:
-    None leaves it to firmware and line.
+    None: depends on firmware and line.
     """
 
     sample_rate_Hz: float
@@ -55,11 +55,11 @@ class Plan:
 
     @property
     def rows(self) -> list[int]:
-        """Return the place of each channel among the objects of the frame."""
+        """Return the index of each channel among the objects of the frame."""
         return [self.objects.index(name) for name in self.channels]
 
     def specs(self) -> tuple[ChannelSpec, ...]:
-        """Return the scale of each channel: float32 comes scaled, integers do not."""
+        """Return the ChannelSpec of each channel: float32 is scaled by the device, integers not."""
         return tuple(self._spec(name) for name in self.channels)
 
     def _spec(self, name: str) -> ChannelSpec:
@@ -76,7 +76,7 @@ class Plan:
 
 
 def make_plan(request: DataRequest, settings: Mapping[str, Any]) -> Plan:
-    """Return what a request asks for; raise InvalidRequest.
+    """Return the plan for a request; raise InvalidRequest.
 
     settings: every key of ``settings.SETTINGS``.
     """
@@ -176,7 +176,7 @@ def _objects(
 ) -> tuple[str, ...]:
     if object_map:
         return _mapped(object_map, wanted)
-    # A frame holds the analog channels from 1 on, at least two objects in all.
+    # A frame contains the analog channels from 1, and at least two objects.
     fewest = 1 if counters else 2
     last = max([*analog, fewest])
     return (

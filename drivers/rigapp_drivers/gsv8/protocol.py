@@ -41,7 +41,7 @@ _CRC16 = _crc16_table()
 
 
 def crc8(data: bytes) -> int:
-    """Return the CRC-8 of commands: polynomial 0x07, initial 0, over all behind the prefix."""
+    """Return the CRC-8 of commands: polynomial 0x07, initial 0, of all bytes after the prefix."""
     crc = 0
     for byte in data:
         crc = _CRC8[crc ^ byte]
@@ -56,8 +56,8 @@ def crc16(data: bytes) -> int:
 def crc16_of_rows(rows: NDArray[np.uint8]) -> NDArray[np.uint16]:
     """Return the CRC-16 of every row of (n, bytes).
 
-    A CRC is linear: what a byte adds to it depends on its place alone. All bytes are looked up
-    at once; byte after byte takes ten times as long for the rows of one packet.
+    A CRC is linear: the contribution of a byte depends on its value and position only. So all bytes
+    are looked up at once; byte by byte takes ten times as long for the rows of one packet.
     """
     of_zeros, shares, places = _crc16_shares(rows.shape[1])
     parts = shares.take(np.ascontiguousarray(rows.T) + places)
@@ -66,7 +66,7 @@ def crc16_of_rows(rows: NDArray[np.uint8]) -> NDArray[np.uint16]:
 
 @functools.lru_cache(maxsize=64)
 def _crc16_shares(length: int) -> tuple[np.uint16, NDArray[np.uint16], NDArray[np.intp]]:
-    """Return the CRC-16 of so many zeros, what each byte adds, and where a place's 256 begin."""
+    """Return the CRC-16 of ``length`` zeros, the bytes' contributions, each position's offset."""
     of_zeros, share = np.uint16(0xFFFF), _CRC16
     shares = np.empty((length, 256), np.uint16)
     for index in reversed(range(length)):
@@ -80,14 +80,14 @@ MODEL_GSV8 = 0x08
 ANALOG_CHANNELS = 8
 COUNTER_CHANNELS = 2
 USER_CHANNELS = ANALOG_CHANNELS + COUNTER_CHANNELS
-MAPPING_HIDDEN_FIRMWARE = (1, 38)  # up to it, the number of objects is told by GetInterface only
+MAPPING_HIDDEN_FIRMWARE = (1, 38)  # up to it, only GetInterface returns the number of objects
 COUNTER_FIRMWARE = (1, 45)
 CHECKSUM_FIRMWARE = (1, 56)
 HIGH_SPEED_FIRMWARE = (1, 54)
 ZERO_LOCK_FIRMWARE = (1, 54)
 HIGH_SPEED_FROM_HZ = 12000.0
 HALF_SCALE_CODE = 0x003CF3CF
-"""int24 code, signed, of the test value that command 35 injects: half of the nominal range."""
+"""Signed int24 code of the test value injected by command 35: half of the nominal range."""
 
 ALLOWED_RATES_HZ: tuple[float, ...] = tuple(
     float(rate)
@@ -147,7 +147,7 @@ class Command(enum.IntEnum):
 
     @property
     def words(self) -> str:
-        """Return the command as people would say it, with its number."""
+        """Return the command in words, with its number."""
         return say("{} ‹command {}›", self.name.lower().replace("_", " "), f"{self.value:02X}")
 
 
@@ -190,7 +190,7 @@ NOMINAL_RANGE: dict[InputType, float] = {
 
 
 class Quadrature(enum.IntEnum):
-    """How the counter counts the edges of A and B (bits 4:3 of the counter mode)."""
+    """Evaluation of the edges of A and B by the counter (bits 4:3 of the counter mode)."""
 
     PULSE_AND_DIRECTION = 0
     X1 = 1
@@ -256,7 +256,7 @@ class CounterMode:
     noise_filter: bool = False
 
     def encode(self) -> int:
-        """Return the mode flags as they are written."""
+        """Return the mode flags."""
         flags = self.quadrature << 3 ^ _COUNTER_INVERTED
         return flags ^ sum(bit for name, bit in _COUNTER_BITS.items() if getattr(self, name))
 
@@ -321,7 +321,7 @@ def decode_version(data: bytes) -> tuple[int, int]:
 
 
 def version_words(firmware: tuple[int, int]) -> str:
-    """Return a firmware version as the maker writes it."""
+    """Return a firmware version in the manufacturer's notation."""
     return f"{firmware[0]}.{firmware[1]:02d}"
 
 

@@ -14,16 +14,16 @@ from rigapp_drivers.gsv8.protocol import Command, InputType, u8
 from rigapp_drivers.gsv8.words import ValueFault, decode_value_fault
 
 SLOW = 5.0
-"""Patience for commands that the device may take long for: they measure, or store much."""
+"""Time-out factor for slow commands of the device, which measure or store many values."""
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """One number that the device keeps: its words, and how it is read and written.
+    """One number stored in the device: its name in words, and how it is read and written.
 
-    layout: of the number, as ``struct`` writes it; written: where that differs on writing. index:
-    the parameters before it; asked: where those differ on reading. mask: of the bits that count.
-    kind: what the number means. since: the first firmware that has it; before, it reads as 0.
+    layout: ``struct`` format of the number; written: the format for writing if different. index:
+    the parameters before it; asked: those for reading if different. mask: of the significant bits.
+    kind: type of the number. since: first firmware that has it; before, it reads as 0.
     """
 
     words: str
@@ -45,7 +45,7 @@ MODE = Setting(
     Command.GET_MODE,
     Command.SET_MODE,
     ">I",
-    mask=~p.MODE_WRITE_LOCK,  # which only the device sets
+    mask=~p.MODE_WRITE_LOCK,  # set by the device only
 )
 FILTER = Setting(
     "analog_filter", Command.READ_ANALOG_FILTER, Command.WRITE_ANALOG_FILTER, ">H", written=">f"
@@ -69,7 +69,7 @@ OBJECTS = Setting(
 
 
 def input_type(channel: int) -> Setting:
-    """Return the input type of an analog channel; written, it reloads scale and offset."""
+    """Return the input type of an analog channel; writing it reloads scale and offset."""
     return Setting(
         say("input type of analog_{}", channel),
         Command.GET_INPUT_TYPE,
@@ -104,7 +104,7 @@ def counter_mode(counter: int, mask: int | None = None) -> Setting:
 
 
 def counter_home(counter: int) -> Setting:
-    """Return the count that the index sets."""
+    """Return the count that is loaded at the index pulse."""
     return _counter(counter, 2, say("home value of counter_{}", counter + 1), None)
 
 
@@ -115,7 +115,7 @@ def _counter(counter: int, index: int, words: str, mask: int | None) -> Setting:
 
 
 WRITE_WAIT: Final = 3.0
-"""Time-outs that a write waits: the settings memory bears a limited number (SPEC p24)."""
+"""Wait of a write in time-outs: the settings memory allows a limited number (SPEC p24)."""
 
 
 class Registers:
@@ -130,7 +130,7 @@ class Registers:
         self._session = 0x01
 
     def get(self, setting: Setting) -> Any:
-        """Return the number as it stands in the device."""
+        """Return the number stored in the device."""
         if setting is OBJECTS and self._firmware <= p.MAPPING_HIDDEN_FIRMWARE:
             return self._interface().objects
         if self._firmware < setting.since:
@@ -143,19 +143,19 @@ class Registers:
         return value if setting.kind is None else setting.kind(value)
 
     def set(self, setting: Setting, value: float) -> None:
-        """Write a number, once: whoever gets no answer reads back before writing again."""
+        """Write a number once: without a response, read back before writing again."""
         parameters = setting.index + struct.pack(setting.written or setting.layout, value)
         self._link.command(
             setting.write, parameters, tries=1, patience=WRITE_WAIT * setting.patience
         )
 
     def open_session(self, *, high_speed: bool, data_checksum: bool) -> p.InterfaceReply:
-        """Silence the device; every such call decides anew on checksum and high-speed frames."""
+        """Stop the transmission; each call sets checksum and high-speed frames anew."""
         self._session = 0x01 | (0x04 if high_speed else 0) | (0x08 if data_checksum else 0)
         return self._interface()
 
     def interface_setting(self, index: int) -> p.InterfaceSetting | None:
-        """Return an interface setting, None where the device does not tell."""
+        """Return an interface setting, None if the device does not report it."""
         response = self._link.exchange(Command.READ_INTERFACE_SETTING, u8(index))
         if response.status or len(response.data) != 6:
             return None
@@ -172,7 +172,7 @@ class Registers:
         return int.from_bytes(data, "big", signed=True)
 
     def latest_fault(self) -> ValueFault | None:
-        """Return the latest value error since the device's power came, None when there is none."""
+        """Return the latest value error since power-on, None if there is none."""
         response = self._link.exchange(Command.GET_LAST_VALUE_ERROR, u8(1), reply=6)
         return decode_value_fault(response.data) if response.status == 0 else None
 
@@ -181,14 +181,14 @@ class Registers:
         self._link.command(Command.SET_ZERO, u8(channel), tries=1, patience=SLOW)
 
     def zero_prohibited(self, channel: int) -> bool:
-        """Tell whether zeroing a channel is prohibited in the device."""
+        """Return whether zeroing a channel is prohibited in the device."""
         if self._firmware < p.ZERO_LOCK_FIRMWARE:
             return False
         data = self._link.command(Command.GET_PROHIBIT_SET_ZERO, reply=2)
         return bool(int.from_bytes(data, "big") >> (channel - 1) & 1)
 
     def lines_are_outputs(self, group: int) -> bool:
-        """Tell whether a group of four digital lines is known to be outputs."""
+        """Return whether a group of four digital lines is known to be outputs."""
         response = self._link.exchange(Command.GET_DIO_DIRECTION, u8(group))
         return response.status == 0 and response.data[:1] == b"\x00"
 

@@ -1,6 +1,6 @@
-"""What a streaming GSV-8 sends, cut into Blocks, and what it is asked meanwhile.
+"""Cut the samples of a streaming GSV-8 into Blocks, and poll the device meanwhile.
 
-At a low rate it is asked whether it lost data or has a fault of its inputs.
+It is polled at a low rate for lost data and input faults.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from rigapp_drivers.gsv8.words import ValueFault, decode_value_fault, status_wor
 class BlockMaker:
     """Collect runs of one stream and cut them into Blocks.
 
-    rows: which objects of the frame, in the order of the Block's rows. A Block ends where samples
-    are known to be lost, so that ``lost_before`` tells the truth about its first sample.
+    rows: indices of the frame's objects, in the order of the Block's rows. A Block ends where
+    samples are known to be lost, so that ``lost_before`` refers to its first sample.
     """
 
     def __init__(
@@ -43,26 +43,26 @@ class BlockMaker:
         self._sensor_broken = False
 
     def add(self, runs: Sequence[TimedRun]) -> None:
-        """Take samples in their order."""
+        """Add samples in chronological order."""
         self._runs.extend(runs)
         self._held += sum(timed.run.values.shape[1] for timed in runs)
 
     def flag_loss(self) -> None:
-        """Mark the next Block: the device lost samples of an unknown number before it."""
+        """Flag the next Block: the device lost an unknown number of samples before it."""
         self._flag_loss = True
 
     def flag_sensor(self) -> None:
-        """Mark all Blocks from now on: a sensor is broken, says the device."""
+        """Flag all further Blocks: the device reported a broken sensor."""
         self._sensor_broken = True
 
     def ready(self, now_ns: int) -> bool:
-        """Tell whether enough samples are there, or the oldest have waited long enough."""
+        """Return whether a Block is full, or its oldest samples have waited long enough."""
         if self._held >= self._wanted:
             return True
         return bool(self._runs) and now_ns - self._runs[0].host_time_ns >= self._block_ns
 
     def make(self) -> Block | None:
-        """Return the next Block, None when there are no samples."""
+        """Return the next Block, None without samples."""
         if not self._runs:
             return None
         parts = [self._runs.popleft()]
@@ -103,27 +103,27 @@ _log = logging.getLogger(__name__)
 _OVERRUN = 0x91
 
 Question = tuple[Command, bytes, int]
-"""Command, parameters, data bytes of the answer."""
+"""Command, parameters, number of data bytes of the response."""
 
 _LOST_DATA: Question = (Command.GET_LAST_PROTOCOL_ERROR, u8(1), 4)  # 1: asynchronous errors
 _FAULT: Question = (Command.GET_LAST_VALUE_ERROR, u8(1), 6)  # 1: the latest fault
 _RESET: Question = (Command.RESET_STATUS, b"", 0)
-_FAULT_EVERY = 4  # lost data matter four times as much as a broken wire, which stays
-_MISSES_ALLOWED = 3  # so many polls unanswered and a loss could be missed for long
-_PATIENCE_S = 5.0  # an answer may stand behind so many measured values
-_MOST_FAULTS = 64  # more than anybody reads of one test
+_FAULT_EVERY = 4  # every fourth poll: lost data are more urgent than a broken wire, which persists
+_MISSES_ALLOWED = 3  # with more unanswered polls a loss could be missed for long
+_PATIENCE_S = 5.0  # a response may queue behind measured values of this time
+_MOST_FAULTS = 64  # more than needed for one test
 
 
 class StreamWatch:
-    """Poll between measured values, never waiting for an answer.
+    """Poll the device between measured values without waiting for responses.
 
     on_loss: called when the device reports lost data, unless ``stop_on_loss``, which raises
-    DataOverrun. must_answer: raise ReplyTimeout when several questions stay unanswered, since lost
-    data would not be noticed. on_broken: called when the device reports a broken sensor or cable.
-    known: the device's latest fault of before, not to be told again; but a broken sensor is told,
-    without on_broken, since nothing says that somebody repaired it. ``last_fault`` is the latest
-    fault of the inputs that it named: a saturated input is asked for at once, a broken wire is
-    found by every fourth question. ``faults`` keeps the last 64, for any thread.
+    DataOverrun. must_answer: raise ReplyTimeout after several unanswered polls, since lost data
+    would not be noticed. on_broken: called when the device reports a broken sensor or cable.
+    known: latest fault before the start, which is not reported again; a broken sensor is, without
+    on_broken, since it may not have been repaired. ``last_fault``: latest reported input fault. A
+    saturated input is polled for at once, a broken wire by every fourth poll. ``faults``: the last
+    64, for any thread.
     """
 
     def __init__(
@@ -157,12 +157,12 @@ class StreamWatch:
             _log.warning("%s: %s", link.port.device, before.words)
 
     def saturated(self) -> None:
-        """Take note that an input was saturated: ask which one with the next poll."""
+        """Record a saturated input: the next poll requests which one."""
         if _FAULT not in self._queue:
             self._queue.append(_FAULT)
 
     def step(self) -> None:
-        """Send the next question when it is time, and take the answer to the last."""
+        """Send the next poll when it is due, and process the response to the last."""
         now = time.monotonic()
         if self._pending is not None:
             self._look(self._pending, now)
@@ -222,7 +222,7 @@ class StreamWatch:
     def _take_error(self, code: int) -> None:
         if code == 0:
             return
-        # Clearing the report lets the next loss be seen as a new one.
+        # Clear the report, so that the next loss is recognised as a new one.
         self._queue.append(_RESET)
         self._next_s = time.monotonic()
         if code != _OVERRUN:

@@ -1,4 +1,4 @@
-"""Say status codes and value errors of the GSV-8 in words (SPEC p17-21), and show its line."""
+"""Describe status codes and value errors of the GSV-8 (SPEC p17-21), and decode its line."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ STATUS_WORDS: dict[int, str] = {
 
 
 def status_words(code: int) -> str:
-    """Return what a status code means."""
+    """Return the meaning of a status code."""
     if 0xB0 <= code <= 0xB8:
         return say("the sensor's memory cannot be used ‹TEDS, status {}›", f"{code:02X}")
     words = STATUS_WORDS.get(code, say("a status unknown to this program"))
@@ -77,7 +77,7 @@ _KINDS = {
 
 @dataclass(frozen=True, slots=True)
 class ValueFault:
-    """A fault of measured values as the device remembers it (command 43)."""
+    """Value error stored in the device (command 43)."""
 
     kind: int
     operating_minutes: int
@@ -90,7 +90,7 @@ class ValueFault:
 
     @property
     def channels(self) -> tuple[int, ...]:
-        """Return the analog inputs (1 to 8) that it names, none where it is about other things."""
+        """Return the analog inputs (1 to 8) that it concerns, empty for other errors."""
         if self.kind == 1:
             return tuple(n + 1 for n in range(8) if (self.flags | self.flags >> 8) >> n & 1)
         if self.kind == 2:
@@ -100,14 +100,14 @@ class ValueFault:
         return ()
 
     def told(self, host_time_ns: int) -> InputFault:
-        """Return the fault as every driver tells it."""
+        """Return the fault as an ``InputFault``."""
         kind = _KINDS.get(self.kind, InputFaultKind.OTHER)
         inputs = tuple(f"analog_{channel}" for channel in self.channels)
         return InputFault(kind, inputs, self.words, host_time_ns)
 
 
 def decode_value_fault(data: bytes) -> ValueFault | None:
-    """Return the fault in the six bytes of command 43, or None when there is none."""
+    """Return the fault in the six bytes of command 43, None if there is none."""
     bits = int.from_bytes(data[:6], "big")
     kind = bits >> 45
     if kind == 0:
@@ -144,11 +144,11 @@ _FLAGS: dict[int, tuple[str, tuple[str, ...]]] = {
     ),
     5: (say("short circuit of a digital line"), tuple(say("DIO {}", n) for n in range(1, 17))),
 }
-"""What each kind of value error is, and what its flags mean from bit 0 up."""
+"""Kind of value error -> its name, and the meanings of its flags from bit 0."""
 
 
 def value_fault_words(kind: int, flags: int) -> str:
-    """Return a value error in words, with the channels that it names."""
+    """Return a value error in words, with the channels concerned."""
     if kind not in _FLAGS:
         return say("value error of unknown kind ‹{}, flags {}›", kind, f"{flags:04X}")
     what, names = _FLAGS[kind]
@@ -171,7 +171,7 @@ class Decoder:
         self._parser.response_expected = True
 
     def sent(self, data: bytes) -> Iterator[str]:
-        """Yield what is asked: the command with its parameters."""
+        """Yield the request: the command with its parameters."""
         kind = data[1] & _KIND if len(data) > 3 else 0
         if kind not in (_REQUEST, _CHECKED_REQUEST):
             yield data.hex(" ")
@@ -182,7 +182,7 @@ class Decoder:
         yield f"{name} {parameters.hex(' ')}".rstrip()
 
     def received(self, data: bytes) -> Iterator[str]:
-        """Yield the responses; measured values are told by their number of bytes."""
+        """Yield the responses; of measured values only the number of bytes."""
         tally = self._parser.tally
         before = tally.dropped_bytes
         parsed = self._parser.feed(data)

@@ -1,1 +1,1 @@
-"""Thermometers, hygrometers and other slow transmitters over Modbus RTU. Enter by ``driver``."""
+"""Thermometers, hygrometers and other slow transmitters over Modbus RTU. Import ``driver``."""

@@ -1,4 +1,4 @@
-"""A line that several Modbus devices share: opened once, asked by one after the other."""
+"""A line shared by several Modbus devices: opened once, used by one driver at a time."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from rigapp_drivers.transport import SerialPort
 from rigapp_drivers.wire.ports import actual_port
 
 TCP: Final = "tcp:"
-"""What the port of a Modbus TCP server begins with: ``tcp:HOST:PORT``."""
+"""Prefix of the port of a Modbus TCP server: ``tcp:HOST:PORT``."""
 _TCP_PORT: Final = "502"  # Modbus messaging on TCP/IP 1.0b, 3.1.3
 
 
 class Bus:
-    """One line and those who use it; who holds ``lock`` may ask.
+    """One line and its users; the holder of ``lock`` may send requests.
 
-    questions: of all users, because an answer that is late meets whoever asks next.
+    questions: of all users, because a late reply may be read by the next user.
     """
 
     def __init__(self, line: SerialPort | None = None) -> None:
@@ -36,11 +36,11 @@ _joining = threading.Lock()
 
 
 class SharedPort:
-    """One device's part of a line; implements ``rigapp_drivers.api.BytePort``.
+    """One device's access to a line; implements ``rigapp_drivers.api.BytePort``.
 
-    address: of the device on the line, which stands there once.
-    The first who opens it opens the line, the last who closes it releases it. A line that broke is
-    released for all, so that each of them can open it again.
+    address: of the device, unique on the line.
+    The first user opens the line, the last one releases it. After a failure the line is released
+    for all users, so that each can open it again.
     """
 
     def __init__(
@@ -60,11 +60,11 @@ class SharedPort:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether the port is open."""
+        """Return whether the port is open."""
         return self in self.bus.users
 
     def open(self) -> None:
-        """Open the line, or join those who have; raise ConnectionFailed, SettingRefused."""
+        """Open the line or share the open one; raise ConnectionFailed, SettingRefused."""
         if self.is_open:
             return
         baud_rate, parity, stop_bits = self._frame
@@ -96,7 +96,7 @@ class SharedPort:
             self.bus = bus
 
     def read_some(self, maximum: int, timeout_s: float) -> bytes:
-        """Return what is there, at most maximum bytes; wait timeout_s for the first one."""
+        """Return the available bytes, at most maximum; wait up to timeout_s for the first."""
         with self._using() as line:
             return line.read_some(maximum, timeout_s)
 
@@ -106,12 +106,12 @@ class SharedPort:
             line.write(data)
 
     def drain(self) -> bytes:
-        """Read until the line is quiet and return what came."""
+        """Read until the line is quiet and return the bytes."""
         with self._using() as line:
             return line.drain()
 
     def close(self) -> None:
-        """Leave the line, and release it as the last; never raises."""
+        """Leave the line; the last user releases it; never raises."""
         with _joining:
             bus, self.bus = self.bus, Bus()
             if self in bus.users:
@@ -121,17 +121,17 @@ class SharedPort:
 
     @property
     def bytes_received(self) -> int:
-        """Return the bytes that came on the whole line."""
+        """Return the number of bytes received on the whole line."""
         return 0 if self.bus.line is None else self.bus.line.bytes_received
 
     @property
     def bytes_sent(self) -> int:
-        """Return the bytes that were sent on the whole line."""
+        """Return the number of bytes sent on the whole line."""
         return 0 if self.bus.line is None else self.bus.line.bytes_sent
 
     @contextlib.contextmanager
     def _using(self) -> Iterator[SerialPort]:
-        """Hand out the open line; release it for all users when it breaks."""
+        """Yield the open line; release it for all users on failure."""
         if self.bus.line is None:
             raise DeviceLost.at(self, "the port is not open.")
         try:
@@ -149,7 +149,7 @@ class SharedPort:
 
 
 def _url(port: str) -> str:
-    """Return the port as SerialPort opens it."""
+    """Return the URL of the port for SerialPort."""
     if not port.startswith(TCP):
         return port
     host, _, number = port.removeprefix(TCP).rpartition(":")
@@ -157,6 +157,6 @@ def _url(port: str) -> str:
 
 
 def _key(port: str) -> str:
-    """Return what is equal for two names of one port."""
+    """Return a key that is equal for all names of one port."""
     url = _url(port)
     return url if "://" in url else os.path.realpath(actual_port(url))

@@ -64,7 +64,7 @@ _FUNCTION, _REGISTER, _COUNT = 4, 1, 2
 
 
 def ask(line: BytePort, timeout_s: float) -> Identity | None:
-    """Return who answers at Modbus address 1; an exception is an answer, too."""
+    """Probe Modbus address 1 and return the device's identity; an exception reply counts, too."""
     link = ModbusLink(line, _USUAL_ADDRESS, PROBE.baud_rates[0], timeout_s)
     deadline_s = time.monotonic() + timeout_s
     try:
@@ -80,11 +80,11 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
 PROBE: Final = Probe(ask, (9600, 19200, 38400, 115200))
 
 
-_OPEN_S: Final = 2.0  # two tries of some questions at the longest usual time-out
+_OPEN_S: Final = 2.0  # two tries of a few requests at the longest usual time-out
 
 
 class ModbusSensor:
-    """One transmitter, alone on its line or beside others; implements ``SlowSource``."""
+    """One transmitter, alone or on a shared line; implements ``SlowSource``."""
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
         self.name = name
@@ -102,8 +102,8 @@ class ModbusSensor:
     def open(self) -> Identity:
         """Open the port and read every register once.
 
-        Raises ConnectionFailed when nothing answers, WrongDevice when something else does or the
-        device lacks a register, SettingRefused for registers that are none.
+        Raises ConnectionFailed if nothing answers, WrongDevice if another device does or a register
+        is missing, SettingRefused for invalid registers.
         """
         with refusing(self):
             self._questions = questions(registers_of(self._settings))
@@ -122,7 +122,7 @@ class ModbusSensor:
         return Identity("", model, "", "", self.port, {"address": str(address)})
 
     def configure(self, request: SlowRequest) -> Mapping[str, str | float | int]:
-        """Check that the registers tell these quantities; return which register tells which."""
+        """Check that registers exist for these quantities; return the register of each."""
         with refusing(self):
             check(SlowRequest(request.quantities, request.timeout_s, self._settings))
         wanted = [
@@ -147,7 +147,7 @@ class ModbusSensor:
         }
 
     def read(self) -> Mapping[str, float]:
-        """Return the quantities as they are now, NaN where a register says that it has no value.
+        """Return the present quantities, NaN if a register reports no valid value.
 
         Raises ReplyTimeout, ProtocolError, DeviceFault or DeviceLost.
         """
@@ -158,7 +158,7 @@ class ModbusSensor:
         self._line.close()
 
     def counters(self) -> Mapping[str, int]:
-        """Return what was counted on the line since it was opened."""
+        """Return the counters of the line since it was opened."""
         link = self._link
         return {
             **byte_counters(self._line),
@@ -181,11 +181,11 @@ _ON_OPENING: Final[Mapping[type[BaseException], type[ConnectionFailed] | type[Wr
     ProtocolError: WrongDevice,
     DeviceFault: WrongDevice,
 }
-"""What an error of the first question means while a device is being opened."""
+"""Error of the first request -> error raised by ``open``."""
 
 
 def check(request: SlowRequest) -> None:
-    """Raise InvalidRequest for quantities that the settings give no register for."""
+    """Raise InvalidRequest for quantities without a register in the settings."""
     settings = filled(SETTINGS, request.settings)
     known = [register.quantity for register in registers_of(settings)]
     missing = [name for name in request.quantities if name not in known]

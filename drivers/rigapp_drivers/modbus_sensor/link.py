@@ -1,4 +1,4 @@
-"""Ask a Modbus device: one request, one reply, a pause between frames, tries again."""
+"""Exchange Modbus frames: one request, one reply, a pause between frames, retries."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _REQUESTS: Final[Mapping[int, Any]] = {3: ReadHoldingRegistersRequest, 4: ReadIn
 _FRAMER: Final = FramerRTU(DecodePDU(is_server=False))
 _TCP_FRAMER: Final = FramerSocket(DecodePDU(is_server=False))
 _HEADER: Final = 7  # of a TCP frame: transaction, protocol 0, length, device
-_EXCEPTION: Final = 0x80  # bit of the function code of a refusal
+_EXCEPTION: Final = 0x80  # bit of the function code of an exception reply
 _BUSY: Final = 6
 _BUSY_PAUSE_S: Final = 0.1
 _EXCEPTIONS: Final = {
@@ -37,7 +37,7 @@ _EXCEPTIONS: Final = {
 
 @dataclass(frozen=True, slots=True)
 class ModbusReply:
-    """What came: words, or an exception in words, or why it is no answer."""
+    """Reply of a device: register words, an exception, or the reason why it is invalid."""
 
     words: tuple[int, ...] = ()
     exception: str = ""
@@ -48,7 +48,7 @@ class ModbusReply:
 def encode_request(
     device: int, function: int, address: int, count: int, transaction: int | None = None
 ) -> bytes:
-    """Return the frame that reads ``count`` registers of a device from an address on.
+    """Return the frame that reads ``count`` registers of a device from an address.
 
     transaction: of a frame for TCP; None: for a serial line.
     """
@@ -59,10 +59,10 @@ def encode_request(
 def find_reply(
     data: bytes, request: bytes, function: int, count: int, *, tcp: bool
 ) -> ModbusReply | None:
-    """Return the answer among the bytes since a request, None while it is not whole.
+    """Return the reply among the bytes since a request, None while it is incomplete.
 
-    Bytes before it are passed over: noise, the echo of the request by the adapter, and frames of
-    other devices or questions.
+    Bytes before it are skipped: noise, the adapter's echo of the request, and frames of other
+    devices or requests.
     """
     if tcp:
         start = data.find(request[:4])
@@ -83,12 +83,12 @@ def find_reply(
 
 
 def crc_is_right(frame: bytes) -> bool:
-    """Tell whether a frame of a serial line ends with its checksum."""
+    """Return whether a frame of a serial line ends with its checksum."""
     return FramerRTU.check_CRC(frame[:-2], int.from_bytes(frame[-2:], "big"))
 
 
 def wrong_reply(data: bytes, request: bytes, function: int, count: int) -> ModbusReply | None:
-    """Return why what came within the time is no answer, None where only the echo came."""
+    """Return why the received bytes are no valid reply, None if only the echo was received."""
     rest = data.removeprefix(request)
     if not rest:
         return None
@@ -99,7 +99,7 @@ def wrong_reply(data: bytes, request: bytes, function: int, count: int) -> Modbu
 
 
 def decode_reply(data: bytes, device: int, function: int, count: int) -> ModbusReply | None:
-    """Return what the bytes since a request say, None while the frame is not whole."""
+    """Decode the bytes since a request; None while the frame is incomplete."""
     used, pdu = _FRAMER.handleFrame(data, 0, 0)
     if pdu is None:
         return ModbusReply(wrong=say("a damaged answer ‹wrong checksum›")) if used else None
@@ -129,7 +129,7 @@ def _checked(pdu: Any, device: int, function: int, count: int) -> ModbusReply:
 
 
 TRIES: Final = 2
-"""A line without a checksum error a day needs one; a second bears a disturbance."""
+"""A line with less than one checksum error per day needs one; the second covers a disturbance."""
 _MOST_BYTES: Final = 256  # an RTU frame (Modbus over serial line 1.02, 2.5.1)
 _SILENT_CHARACTERS: Final = 3.5  # between frames, same place
 _SHORTEST_PAUSE_S: Final = 0.00175  # above 19200 baud (Modbus over serial line 1.02, 2.5.1.1)
@@ -137,9 +137,9 @@ _BITS: Final = 11.0  # of a character with start, parity and stop
 
 
 class ModbusLink:
-    """Speak with one device; one thread at a time.
+    """Communicate with one device; one thread at a time.
 
-    bus: what the line is shared by; of a line of one's own, None.
+    bus: the shared line; None if the device is alone on its line.
     """
 
     def __init__(
@@ -167,7 +167,7 @@ class ModbusLink:
         self.share(bus or Bus())
 
     def share(self, bus: Bus) -> None:
-        """Take turns with the others on a bus from now on."""
+        """Share the line with other devices on a bus from now on."""
         self._bus = bus
         if self._open not in bus.questions:
             bus.questions.append(self._open)
@@ -177,9 +177,8 @@ class ModbusLink:
     ) -> tuple[int, ...]:
         """Return the words of registers; deadline_s: on the monotonic clock, for all tries.
 
-        A device that says that it is busy is asked again until then. Raises ReplyTimeout,
-        ProtocolError when only spoiled answers came, DeviceFault when the device answers by an
-        exception, DeviceLost.
+        A busy device is polled again until then. Raises ReplyTimeout, ProtocolError if all replies
+        were damaged, DeviceFault for an exception reply, DeviceLost.
         """
         if not self._bus.lock.acquire(timeout=max(deadline_s - time.monotonic(), 0.0)):
             raise ReplyTimeout.at(
@@ -247,7 +246,7 @@ class ModbusLink:
     def _ask(
         self, function: int, address: int, count: int, left_s: float, waits: float
     ) -> ModbusReply | None:
-        """Ask once and wait for so many time-outs; None when nothing came."""
+        """Send one request and wait ``waits`` time-outs; None without a reply."""
         if self._tcp:
             self._transaction = self._transaction % 0xFFFF + 1
             self._named.begin(self._transaction.to_bytes(2, "big"))
@@ -281,7 +280,7 @@ class ModbusLink:
         return reply
 
     def _account(self, data: bytes, transaction: bytes, *, answered: bool) -> None:
-        """Measure the late ones of the frames that came over TCP."""
+        """Measure the latency of late frames received over TCP."""
         self._named.leave(answered=answered)
         while len(data) >= _HEADER:
             if data[:2] != transaction:
@@ -289,20 +288,20 @@ class ModbusLink:
             data = data[6 + int.from_bytes(data[4:6], "big") :]
 
     def _is_spoilt(self, data: bytes, function: int, count: int) -> bool:
-        """Tell whether the answer is whole and damaged, so that there is nothing to wait for."""
+        """Return whether the reply is complete but damaged, so that waiting is useless."""
         own = data[:3] == bytes((self.device, function, 2 * count))
         return not self._tcp and own and len(data) == 5 + 2 * count
 
     def _outwait_late_replies(self) -> None:
-        """Let the answers to questions that were given up pass, whoever asked.
+        """Wait for and discard late replies to abandoned requests of any user.
 
-        They do not say what they answer.
+        They do not identify their request.
         """
         for question in self._bus.questions:
             while until_s := question.open_until_s():
                 if self.port.read_some(_MOST_BYTES, until_s - time.monotonic()):
                     question.answered()
-                    # The rest of a frame follows without a pause.
+                    # The rest of a frame arrives without a pause.
                     while self.port.read_some(_MOST_BYTES, self._pause_s):
                         pass
 
@@ -322,7 +321,7 @@ class Decoder:
         self._reply = b""
 
     def sent(self, data: bytes) -> Iterator[str]:
-        """Yield what is asked: device, function, registers."""
+        """Yield the request: device, function, registers."""
         if self._reply:
             yield "(no whole answer: {})".format(self._reply.hex(" "))
         self._reply = b""
@@ -334,7 +333,7 @@ class Decoder:
         yield f"device {self._device}, function {self._function}: {requested}"
 
     def received(self, data: bytes) -> Iterator[str]:
-        """Yield the answer when it is whole, as unsigned words."""
+        """Yield the complete reply as unsigned words."""
         self._reply += data
         reply = decode_reply(self._reply, self._device, self._function, self._count)
         if reply is not None:

@@ -1,4 +1,4 @@
-"""Which register of a device carries which quantity, and how its words become a number; pure."""
+"""Map registers of a device to quantities and convert their words to numbers; pure."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ import msgspec
 from rigapp_drivers.api import InvalidRequest
 
 MOST_WORDS: Final = 125
-"""Registers that one request may ask for (Modbus application protocol 1.1b3, 6.3 and 6.4)."""
+"""Maximum registers per request (Modbus application protocol 1.1b3, 6.3 and 6.4)."""
 _FORMATS: Final = {"i16": ">h", "u16": ">H", "i32": ">i", "f32": ">f"}
 
 
 class Register(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """One entry of the setting ``registers``: value = scale * number + offset.
 
-    quantity: its name with the unit at the end, as ``temperature_C``. function: 3 reads holding, 4
-    input registers. address: as it goes over the wire, from 0. words: which of two words comes
-    first. invalid: the number that stands for no value; it is told as NaN.
+    quantity: name with the unit at the end, as ``temperature_C``. function: 3 reads holding, 4
+    input registers. address: as transmitted, from 0. words: order of the two words of a number.
+    invalid: the number that means no value; returned as NaN.
     """
 
     quantity: Annotated[str, msgspec.Meta(pattern=r"^[a-z][a-z0-9_]*_[A-Za-z0-9]+$")]
@@ -36,17 +36,17 @@ class Register(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=
 
     @property
     def count(self) -> int:
-        """Return how many words it takes."""
+        """Return its number of words."""
         return struct.calcsize(_FORMATS[self.type]) // 2
 
     def value(self, words: Sequence[int]) -> float:
-        """Return the quantity that the words say."""
+        """Return the quantity encoded by the words."""
         ordered = words if self.words == "high first" else words[::-1]
         (number,) = struct.unpack(_FORMATS[self.type], struct.pack(f">{len(words)}H", *ordered))
         return math.nan if number == self.invalid else self.scale * float(number) + self.offset
 
     def encode(self, value: float) -> tuple[int, ...]:
-        """Return the words that say a quantity, the nearest that there are."""
+        """Return the words that encode a quantity, rounded to the nearest step."""
         layout = _FORMATS[self.type]
         number: float = (value - self.offset) / self.scale
         if self.type != "f32":
@@ -65,12 +65,12 @@ PRESETS: Final[Mapping[str, tuple[Register, ...]]] = {
         Register(quantity="humidity_percent", address=2, type="u16", scale=0.1),
     ),
 }
-"""Transmitters that are sold under many names, by the sensor in them; 9600 baud, 8N1."""
+"""Sensor -> registers of transmitters sold under many names; 9600 baud, 8N1."""
 OWN: Final = "own registers"
 
 
 def registers_of(settings: Mapping[str, Any]) -> tuple[Register, ...]:
-    """Return the registers that the settings ask for; raise InvalidRequest."""
+    """Return the registers of the settings; raise InvalidRequest."""
     own = settings["registers"]
     if settings["preset"] != OWN:
         if own:
@@ -97,7 +97,7 @@ def registers_of(settings: Mapping[str, Any]) -> tuple[Register, ...]:
 
 
 class Question(msgspec.Struct, frozen=True):
-    """One request: neighbouring registers of one kind."""
+    """One request: adjacent registers of one kind."""
 
     function: int
     address: int
@@ -105,12 +105,12 @@ class Question(msgspec.Struct, frozen=True):
 
     @property
     def count(self) -> int:
-        """Return how many words it asks for."""
+        """Return the number of requested words."""
         last = self.registers[-1]
         return last.address + last.count - self.address
 
     def values(self, words: Sequence[int]) -> dict[str, float]:
-        """Return the quantities in the words of its answer."""
+        """Return the quantities in the words of its reply."""
         return {
             register.quantity: register.value(
                 words[register.address - self.address :][: register.count]
@@ -120,7 +120,7 @@ class Question(msgspec.Struct, frozen=True):
 
 
 def questions(registers: Sequence[Register]) -> tuple[Question, ...]:
-    """Return the fewest requests for registers; only neighbours share one: a gap may be nothing."""
+    """Return the fewest requests for registers; adjacent ones only, as gaps may not be readable."""
     ordered = sorted(registers, key=lambda register: (register.function, register.address))
     groups: list[list[Register]] = [[register] for register in ordered[:1]]
     for before, register in pairwise(ordered):

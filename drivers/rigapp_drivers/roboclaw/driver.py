@@ -393,7 +393,7 @@ class RoboClaw:
         self._silence_s = silence_s
 
     def _still_drives(self, link: Link, tries: int | None = None) -> bool:
-        """Tell whether the motor has power; a ramp that has just begun may show none yet."""
+        """Return whether the motor has power; a ramp that has just begun may show none yet."""
         return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_LOOKS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:

@@ -58,11 +58,11 @@ class StatusReader:
 
     @property
     def watchdog_is_due(self) -> bool:
-        """Tell whether it is time to read the serial time-out back again."""
+        """Return whether it is time to read the serial time-out back again."""
         return self._polls % WATCHDOG_PERIOD == 0
 
     def has_restarted(self, readings: Readings) -> bool:
-        """Tell whether the drive's clock went back since the last call, other than by wrapping."""
+        """Return whether the drive's clock decreased since the last call, except by wrapping."""
         before, self._tick = self._tick, readings.tick
         if before is None or readings.tick is None:
             return False

@@ -1,5 +1,5 @@
-"""What a device and the program said on a line: recorded, read back, played as a device.
+"""Record the traffic on a line, read it, and play it back as a device.
 
-``trace`` is the file, ``recorder`` writes it, ``protocol_wire`` answers from it as
-pyserial opens it (``wire://FILE``), ``ports`` finds out what the port of a rig file is.
+``trace`` is the file format, ``recorder`` writes it, ``protocol_wire`` plays it back as a pyserial
+port (``wire://FILE``), ``ports`` resolves the port of a rig file.
 """

@@ -1,7 +1,7 @@
-"""Find out what the port of a rig file is: a path or URL, ``serial:NUMBER`` or ``wire:FILE``.
+"""Resolve the port of a rig file: a path or URL, ``serial:NUMBER`` or ``wire:FILE``.
 
-``serial:NUMBER`` is the port of the USB device with that serial number, whatever name the system
-gave it this time; ``wire:FILE`` is a recorded line.
+``serial:NUMBER`` is the port of the USB device with that serial number, independent of the port
+name assigned by the system; ``wire:FILE`` is a recorded line.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if "rigapp_drivers.wire" not in serial.protocol_handler_packages:
 
 
 class PortNotFound(SentenceError, LookupError):
-    """Say which USB serial number no port has, or more than one."""
+    """No port, or more than one, has the requested USB serial number."""
 
 
 def actual_port(port: str) -> str:
@@ -39,7 +39,7 @@ def actual_port(port: str) -> str:
 
 
 def beside(folder: Path, port: str) -> str:
-    """Return a port whose recording is named relative to the rig file, as seen from elsewhere."""
+    """Return a port with the path of its recording resolved relative to the rig file's folder."""
     recorded = port.startswith(RECORDED) and not port.startswith(SCHEME)
     return f"{RECORDED}{folder / port.removeprefix(RECORDED)}" if recorded else port
 
@@ -72,7 +72,7 @@ def port_of_number(number: str, found: Iterable[Any]) -> str:
 
 
 def stable_name(port: str, folder: Path = BY_ID) -> str:
-    """Return the name of a port that stays when it is plugged in elsewhere, "" where none is."""
+    """Return the port's name that is independent of the USB socket, "" if there is none."""
     try:
         names = sorted(folder.iterdir())
     except OSError:

@@ -1,4 +1,4 @@
-"""A recorded line as pyserial opens it: ``wire://FILE``, a port on which the recording answers."""
+"""pyserial handler of ``wire://FILE``: a port on which a recorded line replies."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from serial.serialutil import PortNotOpenError, SerialBase, SerialException
 
 from rigapp_drivers.wire.trace import RecordKind, TraceError, WireRecord, WireTrace, read_trace
 
-# Play a recorded line as a device: what is asked is looked for, its recorded answer is given.
+# Play a recorded line as a device: find each request in the recording and return its reply.
 #
-# What was received after a question is given as late as it came then. A stream goes on past the
-# questions of its time that are not asked again; an answer is given to its own question only.
+# Replies keep their recorded delay. A stream continues past recorded requests that are not
+# repeated; a reply is returned only to its own request.
 
-_STREAM_S: Final = 0.02  # a long answer comes in one go
-_STREAM_BYTES: Final = 300  # no answer of a serial device is longer
-_PATIENCE_S: Final = 0.5  # for a question that the driver asked at this time when it was recorded
+_STREAM_S: Final = 0.02  # a long reply arrives within this time
+_STREAM_BYTES: Final = 300  # longer than any reply of a serial device
+_PATIENCE_S: Final = 0.5  # wait for a request that the recording has at this time
 
 _log = logging.getLogger(__name__)
 
 
 @dataclass(slots=True)
 class Turn:
-    """What was sent once and what came until the next sending: seconds after it, bytes."""
+    """One request and the bytes received until the next one, with their delays in s."""
 
     sent: bytes
     time_ns: int
@@ -37,18 +37,18 @@ class Turn:
 
     @property
     def length(self) -> int:
-        """Return how many bytes came."""
+        """Return the number of received bytes."""
         return sum(len(data) for _, data in self.received)
 
     @property
     def streams(self) -> bool:
-        """Tell whether a stream came rather than an answer."""
+        """Return whether the received bytes are a stream rather than a reply."""
         last_s = self.received[-1][0] if self.received else 0.0
         return last_s > _STREAM_S and self.length > _STREAM_BYTES
 
 
 def turns_of(records: Sequence[WireRecord]) -> list[Turn]:
-    """Return what was asked and came; the first turn has no question: what came before any."""
+    """Return the exchanges; the first has no request, only the bytes received before any."""
     turns = [Turn(b"", records[0].time_ns if records else 0)]
     for record in records:
         if record.kind is RecordKind.SENT:
@@ -59,9 +59,9 @@ def turns_of(records: Sequence[WireRecord]) -> list[Turn]:
 
 
 class Player:
-    """Answer from a recording. Times in s of any clock that does not go back.
+    """Reply from a recording. Times in s of any monotonic clock.
 
-    unknown: questions that the recording has no answer for, in the order in which they came.
+    unknown: requests without a recorded reply, in order of arrival.
     """
 
     def __init__(self, trace: WireTrace, now_s: float) -> None:
@@ -77,10 +77,10 @@ class Player:
         self._begin(0, now_s)
 
     def write(self, data: bytes, now_s: float) -> None:
-        """Take what the driver sends; give the answer from the recording."""
+        """Process bytes from the driver and schedule the recorded reply."""
         index = self._find(data)
         if index is None:
-            # How an adapter is opened is python-can's affair, and nothing of it reaches the bus.
+            # python-can opens the adapter; these bytes do not reach the bus.
             if not (self._text and data[:1] not in (b"t", b"T")):
                 self.unknown.append(data)
                 _log.warning(
@@ -95,7 +95,7 @@ class Player:
         self._begin(index, now_s)
 
     def read(self, now_s: float) -> bytes:
-        """Return what has come by now."""
+        """Return the bytes that are due."""
         self._go_on(now_s)
         parts = []
         while self._coming and self._coming[0][0] <= now_s:
@@ -103,12 +103,12 @@ class Player:
         return b"".join(parts)
 
     def ended(self, now_s: float) -> bool:
-        """Tell whether a recorded stream is over."""
+        """Return whether a recorded stream is over."""
         self._go_on(now_s)
         return 0 <= self._last_stream <= self._turn and not self._coming
 
     def _find(self, data: bytes) -> int | None:
-        """Return the next turn with this question, else the last one before."""
+        """Return the index of the next turn with this request, else of the last one before."""
         after = range(self._turn + 1, len(self._turns))
         before = range(self._turn, 0, -1)
         for index in (*after, *before):
@@ -121,7 +121,7 @@ class Player:
         self._coming.extend((now_s + at, data) for at, data in self._turns[place].received)
 
     def _go_on(self, now_s: float) -> None:
-        """Let a stream pass the questions that are not asked this time."""
+        """Continue a stream past recorded requests that are not repeated."""
         while not self._coming and self._turn < self._last_stream:
             now, then = self._turns[self._turn], self._turns[self._turn + 1]
             due_s = self._since_s + (then.time_ns - now.time_ns) / 1e9
@@ -132,11 +132,11 @@ class Player:
 
 SCHEME: Final = "wire://"
 _LOOK_S: Final = 0.001
-_ENDED_S: Final = 0.5  # by then the driver has taken what came last
+_ENDED_S: Final = 0.5  # by then the driver has read the last bytes
 
 
 class Serial(SerialBase):  # type: ignore[misc]
-    """Play a recording; the names are pyserial's."""
+    """Play a recording; the method names are pyserial's."""
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         self._player: Player | None = None
@@ -147,7 +147,7 @@ class Serial(SerialBase):  # type: ignore[misc]
         super().__init__(*arguments, **options)
 
     def open(self) -> None:
-        """Begin to play from the start; raise SerialException."""
+        """Play from the start; raise SerialException."""
         path = Path(str(self.portstr).removeprefix(SCHEME))
         try:
             trace = read_trace(path)
@@ -157,18 +157,18 @@ class Serial(SerialBase):  # type: ignore[misc]
         self.is_open = True
 
     def close(self) -> None:
-        """Play no longer."""
+        """Stop playing."""
         self._player, self.is_open = None, False
 
     @property
     def in_waiting(self) -> int:
-        """Return how many bytes have come."""
+        """Return the number of bytes waiting."""
         with self._lock:
             self._take()
             return len(self._buffer)
 
     def read(self, size: int = 1) -> bytes:
-        """Return up to size bytes, within the time-out."""
+        """Return up to size bytes within the time-out."""
         deadline = None if self._timeout is None else time.monotonic() + self._timeout
         parts: list[bytes] = []
         missing = size
@@ -185,7 +185,7 @@ class Serial(SerialBase):  # type: ignore[misc]
         return b"".join(parts)
 
     def write(self, data: bytes) -> int:
-        """Ask the recording."""
+        """Pass a request to the recording."""
         with self._lock:
             self._take()
             self._playing().write(bytes(data), time.monotonic())
@@ -195,7 +195,7 @@ class Serial(SerialBase):  # type: ignore[misc]
         """Do nothing: all is sent at once."""
 
     def reset_input_buffer(self) -> None:
-        """Forget what has come."""
+        """Discard the bytes waiting."""
         with self._lock:
             self._take()
             self._buffer = b""

@@ -1,8 +1,8 @@
-"""Record what is said on a line, cheaply: who reads the port appends to a list, a thread writes.
+"""Record the traffic on a line: the reader of the port appends to a list, a thread writes the file.
 
-The disk is never waited for where a device is. The file is bounded: at its limit it becomes
-``FILE.1`` (the first one, which holds how the device was set up, stays) or ``FILE.2``, and a new
-one begins.
+Communication with the device never waits for the disk. The file size is bounded: at its limit it
+becomes ``FILE.1`` (kept, as it contains the set-up of the device) or ``FILE.2``, and a new one
+begins.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from typing import Any, BinaryIO, Final
 from rigapp_drivers.wire.trace import MAGIC, RecordKind, encode_note, encode_record
 
 LIMIT_BYTES: Final = 64 << 20
-"""Of one of the at most three files; 4 minutes of a GSV-8 at its full rate."""
-_MOST_WAITING: Final = 16 << 20  # a disk that stands still for a minute at that rate
-_WRITE_S: Final = 0.2  # so much may be lost when the program is killed
+"""Limit of each of the at most three files; 4 minutes of a GSV-8 at its full rate."""
+_MOST_WAITING: Final = 16 << 20  # buffer for a disk that is blocked for a minute at that rate
+_WRITE_S: Final = 0.2  # data of this period may be lost when the program is killed
 
 _log = logging.getLogger(__name__)
 
 
 class WireRecorder:
-    """Record one line into a file; any thread may record, a file that fails ends the recording.
+    """Record one line into a file, from any thread; a write error ends the recording.
 
-    header: what goes first into the file (device, driver, settings, protocol).
+    header: first record of the file (device, driver, settings, protocol).
     """
 
     def __init__(
@@ -51,15 +51,15 @@ class WireRecorder:
         self._guard = threading.Lock()
 
     def sent(self, data: bytes) -> None:
-        """Record bytes that go to the device."""
+        """Record bytes sent to the device."""
         self._add(RecordKind.SENT, data)
 
     def received(self, data: bytes) -> None:
-        """Record bytes that came from the device."""
+        """Record bytes received from the device."""
         self._add(RecordKind.RECEIVED, data)
 
     def note(self, content: Mapping[str, Any]) -> None:
-        """Record something that is said of the line."""
+        """Record a note on the line."""
         with self._guard:
             now_ns = time.monotonic_ns()
             encoded = encode_note(now_ns, content)
@@ -68,7 +68,7 @@ class WireRecorder:
         self._run()
 
     def close(self) -> None:
-        """Write what waits and close the file; whatever is recorded later is appended."""
+        """Write the buffer and close the file; later records are appended."""
         thread = self._thread
         if thread is None:
             return
@@ -82,7 +82,7 @@ class WireRecorder:
             if self._bytes > _MOST_WAITING:
                 self._dropped += len(data)
                 return
-            # The clock is read inside: the file's times never go back.
+            # Read the clock inside the lock, so that the times in the file never decrease.
             self._waiting.append((kind, time.monotonic_ns(), data))
             self._bytes += len(data)
         if self._thread is None:
@@ -153,7 +153,7 @@ class WireRecorder:
 
 
 class RecordedFor(enum.Enum):
-    """Tell what a line is recorded for: as the user has set it, or for a report of an error."""
+    """Purpose of a recording: set by the user, or for an error report."""
 
     SETTING = "setting"
     REPORT = "report"
@@ -168,12 +168,12 @@ def record_line(
     recorder: WireRecorder | None,
     purpose: RecordedFor = RecordedFor.SETTING,
 ) -> None:
-    """Record the line of a device on a port from now on; None: no longer for this purpose."""
+    """Start recording the line of a device on a port; None: stop it for this purpose."""
     kept = {**_RECORDERS.get((device, port), {}), purpose: recorder}
-    # A new table in one step: the line's own thread looks into it meanwhile.
+    # Replace the table in one step, as the line's thread reads it concurrently.
     _RECORDERS[device, port] = {key: one for key, one in kept.items() if one is not None}
 
 
 def recorders_of(device: str, port: str) -> Collection[WireRecorder]:
-    """Return what records the line of a device on a port now, often nothing."""
+    """Return the active recorders of a device on a port, often none."""
     return _RECORDERS.get((device, port), {}).values()

@@ -1,8 +1,8 @@
-"""The file of a recorded line: notes, and bytes with time and direction, each with its checksum.
+"""File format of a recorded line: notes, and bytes with time and direction, with checksums.
 
 After the first line (``rigapp wire 1``) come records: kind (1 byte), length (u32), time (i64, ns of
 the monotonic clock), payload, CRC-32 of all of these; integers little-endian. The first record is a
-note (JSON) that says whose line it is.
+note (JSON) that names the device.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ MAGIC: Final = b"rigapp wire 1\n"
 _HEAD: Final = struct.Struct("<cIq")
 _CRC: Final = struct.Struct("<I")
 MOST_BYTES: Final = 1 << 24
-"""Of one record; a longer one is no length but damage."""
+"""Maximum length of one record; a greater value means a damaged file."""
 LARGEST_FILE: Final = 1 << 30
 
 
 class RecordKind(enum.Enum):
-    """Tell what a record holds."""
+    """Kind of a record."""
 
     SENT = b">"
     RECEIVED = b"<"
@@ -35,12 +35,12 @@ class RecordKind(enum.Enum):
 
 
 class TraceError(SentenceError, ValueError):
-    """Say in one sentence why a file is not a recorded line, or where it is damaged."""
+    """A file is not a recorded line, or is damaged; one sentence with the place."""
 
 
 @dataclass(frozen=True, slots=True)
 class WireRecord:
-    """Hold what was sent or received at a moment, or a note (JSON); time_ns: monotonic."""
+    """Bytes sent or received, or a note (JSON); time_ns: monotonic."""
 
     kind: RecordKind
     time_ns: int
@@ -48,7 +48,7 @@ class WireRecord:
 
     @property
     def note(self) -> Mapping[str, Any]:
-        """Return the content of a note, empty where it is none."""
+        """Return the content of a note, empty for other records."""
         if self.kind is not RecordKind.NOTE:
             return {}
         content = json.loads(self.data)
@@ -57,10 +57,10 @@ class WireRecord:
 
 @dataclass(frozen=True, slots=True)
 class WireTrace:
-    """Hold a recorded line.
+    """A recorded line.
 
-    header: device, driver, settings, protocol. problem: why the file ends early, empty where it is
-    whole.
+    header: device, driver, settings, protocol. problem: why the file ends early, empty if it is
+    complete.
     """
 
     path: Path
@@ -81,7 +81,7 @@ def encode_note(time_ns: int, content: Mapping[str, Any]) -> bytes:
 
 
 def read_trace(path: Path) -> WireTrace:
-    """Return a recorded line, as far as it is sound; raise TraceError where it is none at all."""
+    """Return the undamaged part of a recorded line; raise TraceError for any other file."""
     try:
         size = path.stat().st_size
         if not path.is_file() or size > LARGEST_FILE:
@@ -110,7 +110,7 @@ def _read(path: Path, file: BinaryIO) -> WireTrace:
 
 
 class _Damaged(Exception):
-    """A record that is cut short or does not match its checksum."""
+    """A record is truncated or does not match its checksum."""
 
 
 def _records(file: BinaryIO, done: list[WireRecord]) -> Iterator[WireRecord]:

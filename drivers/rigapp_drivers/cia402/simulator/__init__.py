@@ -92,7 +92,7 @@ class Cia402Simulator:
 
     @property
     def watchdog_tripped(self) -> bool:
-        """Tell whether the supervision of the host has stopped the motor since power-on."""
+        """Return whether the supervision of the host has stopped the motor since power-on."""
         return self.node.watchdog_tripped
 
     @property

@@ -137,7 +137,7 @@ class Axis402:
 
     @property
     def powered(self) -> bool:
-        """Tell whether the motor has power."""
+        """Return whether the motor has power."""
         return self.state in _POWERED
 
     def turn_by_itself(self, rpm: float) -> None:

@@ -56,7 +56,7 @@ class Entry:
 
     @property
     def signed(self) -> bool:
-        """Tell whether the number has a sign."""
+        """Return whether the number has a sign."""
         return self.kind.startswith("i")
 
 

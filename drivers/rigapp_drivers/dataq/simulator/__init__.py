@@ -158,7 +158,7 @@ class DataqSimulator:
 
     @property
     def streaming(self) -> bool:
-        """Tell whether the device scans."""
+        """Return whether the device scans."""
         return self._state.scanning
 
     @property

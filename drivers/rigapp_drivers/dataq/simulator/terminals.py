@@ -178,7 +178,7 @@ def _converted(
 
 
 def known_word(word: int, model: Model) -> bool:
-    """Tell whether a scan-list word means something to a model."""
+    """Return whether a scan-list word means something to a model."""
     function, code = word & 0xF, word >> 8
     if word & 0xF0:
         return False

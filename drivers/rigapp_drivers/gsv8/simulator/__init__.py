@@ -2,8 +2,8 @@
 
 Loaded by the simulated rig and by tests; no driver at run time imports it.
 
-It starts as the device does after its power comes: streaming, 8 objects, float32, 10 frames a
-second. Both quadrature inputs see the same encoder.
+It starts as the device does after power-on: streaming, 8 objects, float32, 10 frames per second.
+Both quadrature inputs are connected to the same encoder.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _TOO_LATE, _WRONG_CHECKSUM = 0x5A, 0x43
 
 
 class RequestRead(NamedTuple):
-    """A request, with the status to answer with (0: obey)."""
+    """A request with the status of its response (0: execute it)."""
 
     command: int
     parameters: bytes
@@ -34,9 +34,9 @@ class RequestRead(NamedTuple):
 
 
 class RequestReader:
-    """Collect bytes until a request is whole.
+    """Collect bytes until a request is complete.
 
-    ``broken`` is set when bytes broke the frame rules; the device ignores them without an answer.
+    ``broken`` is set after bytes that violate the frame rules; the device ignores them silently.
     """
 
     def __init__(self) -> None:
@@ -45,7 +45,7 @@ class RequestReader:
         self._begun_s = 0.0
 
     def take(self, data: bytes, now_s: float) -> list[RequestRead]:
-        """Return the requests that these bytes complete."""
+        """Return the requests completed by these bytes."""
         requests: list[RequestRead] = []
         late = self._too_late(now_s)
         if late is not None:
@@ -83,7 +83,7 @@ class RequestReader:
         return 4 + (head & 0x0F) + (1 if head & 0x20 else 0)
 
     def _too_late(self, now_s: float) -> RequestRead | None:
-        """Give up a request whose parameters did not arrive in time."""
+        """Discard a request whose parameters did not arrive in time."""
         if not self._buffer or now_s - self._begun_s <= _PARAMETER_TIMEOUT_S:
             return None
         begun, self._buffer = self._buffer, b""
@@ -106,14 +106,14 @@ _BROKEN_REQUEST = 0x42
 
 
 class Gsv8Simulator:
-    """Answer and stream as a GSV-8 does; implements ``SimulatedDataSource``.
+    """Respond and stream as a GSV-8 does; implements ``SimulatedDataSource``.
 
-    encoder_lines: lines of the encoder; counts_per_revolution, when given, are its edges (4 a
-    line). firmware: text such as "1.56". usb: else a UART at uart_baud_rate. counter_present: with
+    encoder_lines: lines of the encoder; counts_per_revolution, if given: its edges (4 per line).
+    firmware: text such as "1.56". usb: else a UART at uart_baud_rate. counter_present: with
     quadrature inputs. offset_binary: integers as the GSV-8 sends them. zero_prohibited: bit n
-    refuses to zero channel n+1. counter_scale: user scale of the counters from the factory; 8388608
-    makes the float equal to counts. seed: of the garbage of faults. faults: ``Fault`` records or
-    tables of their fields, see ``Gsv8Fault``.
+    prohibits zeroing channel n+1. counter_scale: factory user scale of the counters; 8388608 makes
+    the float equal to counts. seed: of the garbage of faults. faults: ``Fault`` records or tables
+    of their fields, see ``Gsv8Fault``.
     """
 
     kinds = Gsv8Fault
@@ -150,7 +150,7 @@ class Gsv8Simulator:
         self._measured = MeasuredValues(self._device, self._plan, np.random.default_rng(seed))
         self._reader = RequestReader()
 
-    # --- what the rig sees ----------------------------------------------------------------------
+    # --- interface to the rig -------------------------------------------------------------------
 
     @property
     def sample_rate_Hz(self) -> float:
@@ -159,25 +159,25 @@ class Gsv8Simulator:
 
     @property
     def streaming(self) -> bool:
-        """Tell whether measured values are being sent."""
+        """Return whether measured values are being sent."""
         return self._device.state.transmitting
 
     @property
     def eeprom_writes(self) -> int:
-        """Return how often a stored setting was written."""
+        """Return the number of writes of stored settings."""
         return self._device.writes
 
     @property
     def settings(self) -> Memory:
-        """Return the settings as they stand in the device."""
+        """Return the present settings of the device."""
         return self._device.settings
 
     def overrun(self, now_s: float) -> None:
-        """Take note that the link dropped old frames because the host did not read."""
+        """Record that the link dropped old frames because the host did not read."""
         self._device.state.asynchronous_error = OVERRUN
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause."""
+        """Process bytes from the host and return the replies."""
         self._tick(now_s)
         requests = self._reader.take(data, now_s)
         if self._reader.broken:
@@ -187,7 +187,7 @@ class Gsv8Simulator:
         return self._plan.due() + b"".join(replies)
 
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
-        """Return the bytes that these samples cause on the wire (b"" when not streaming)."""
+        """Return the bytes sent for these samples (b"" when not streaming)."""
         self._tick(now_s)
         answers = self._plan.due()
         if signals.shaft_revolutions.size == 0:

@@ -1,8 +1,8 @@
 """The commands of a simulated GSV-8: each a function of the device and the parameter bytes.
 
-Those that a rig has no use for are not there: levels of digital lines, raw values, analog outputs,
-units of the display, stored sets of settings, the bit rate of a UART, which commands there are. The
-device answers that it has no such.
+Not implemented, as a rig does not use them: levels of digital lines, raw values, analog outputs,
+units of the display, stored sets of settings, the bit rate of a UART, the list of commands. The
+device responds that it has no such command.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ WRITE_ACCESS_ELSEWHERE = 0x75
 _HARDWARE_OPTIONS = 1 << 0 | 1 << 4 | 1 << 6 | 1 << 7
 _WRITABLE_MODE = 0b1111 | 0xFFF << 8 | 1 << 22
 _WRITABLE_COUNTER = 0x1FFE
-_FILTER_SHARE = 0.4  # of the sample rate, below which nothing may be lost to the filter
+_FILTER_SHARE = 0.4  # of the sample rate; the filter must pass all frequencies below
 _FILTERS_HZ = (28.0, 885.0, 11400.0)
 
 
 class Entry(NamedTuple):
-    """A command: what obeys it, allowed numbers of parameters, whether it changes a setting.
+    """A command: its function, allowed numbers of parameters, whether it changes a setting.
 
-    since: the first firmware that knows it.
+    since: first firmware with this command.
     """
 
     handler: Callable[[Device, bytes], bytes]
@@ -40,7 +40,7 @@ class Entry(NamedTuple):
 
 
 class RequestRefused(Exception):
-    """Answer with a status code and no data."""
+    """Respond with a status code and no data."""
 
     def __init__(self, status: int) -> None:
         super().__init__(f"status {status:02X}")
@@ -48,7 +48,7 @@ class RequestRefused(Exception):
 
 
 def _among(value: int, first: int, last: int, status: int = 0x51) -> int:
-    """Return the place of a number counted from ``first``; refuse one outside."""
+    """Return the index of a number counted from ``first``; refuse one outside the range."""
     if not first <= value <= last:
         raise RequestRefused(status)
     return value - first
@@ -63,7 +63,7 @@ def _user(channel: int) -> int:
 
 
 def _users(channel: int) -> range:
-    """Return the places of a channel 1..10, of all for 0."""
+    """Return the indices of a channel 1..10, of all for 0."""
     return range(p.USER_CHANNELS) if channel == 0 else range(_user(channel), channel)
 
 
@@ -284,7 +284,7 @@ def _inject(d: Device, a: bytes) -> bytes:
 
 
 def _counter_values(d: Device, index: int) -> tuple[int, list[int]]:
-    """Return the counter's number and the list (modes, gates, homes) that an index byte names."""
+    """Return the counter's number and the list (modes, gates, homes) selected by an index byte."""
     lists = (d.settings.counter_modes, d.settings.counter_gates, d.settings.counter_homes)
     return _among(index >> 4, 0, p.COUNTER_CHANNELS - 1), lists[_among(index & 0x0F, 0, 2)]
 
@@ -365,7 +365,7 @@ _COMMANDS: Mapping[int, Entry] = {
         lambda d, a: u16(d.hardware.zero_prohibited), 0, since=p.ZERO_LOCK_FIRMWARE
     ),
     Command.SET_INJECTION: Entry(_inject, 1),
-    Command.GET_VALUE: Entry(_nothing, 0),  # answered by a measured value, not by this
+    Command.GET_VALUE: Entry(_nothing, 0),  # the response is a measured value
     Command.GET_LAST_PROTOCOL_ERROR: Entry(_protocol_error, 1),
     Command.GET_LAST_VALUE_ERROR: Entry(_value_error, 1),
     Command.GET_TX_MAPPING: Entry(_get_mapping, 1),
@@ -399,7 +399,7 @@ _COMMANDS: Mapping[int, Entry] = {
 
 
 def obey(d: Device, command: int, parameters: bytes) -> bytes:
-    """Do what a command says and return its data; raise RequestRefused."""
+    """Execute a command and return its data; raise RequestRefused."""
     entry = _COMMANDS.get(command)
     if entry is None or entry.since > d.hardware.firmware:
         raise RequestRefused(0x40)

@@ -1,4 +1,4 @@
-"""What a simulated GSV-8 is, what it keeps without power, what it forgets, and its faults."""
+"""State of a simulated GSV-8: hardware, non-volatile settings, volatile state, faults."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ Counts = NDArray[np.int64]
 class QuadratureInput:
     """Count the edges of an encoder with an index.
 
-    counts_per_revolution: edges of A and B, four for each line. At the index the counter takes the
-    home value, in both directions; in between it goes on from where it is.
+    counts_per_revolution: edges of A and B, four per line. At the index the counter is set to the
+    home value, in both directions; in between it counts on.
     """
 
     def __init__(self, counts_per_revolution: int) -> None:
@@ -34,11 +34,11 @@ class QuadratureInput:
         self._origin = 0
 
     def slip(self, counts: int) -> None:
-        """Let the counter be wrong by so many counts until the next index."""
+        """Offset the counter by ``counts`` until the next index."""
         self._origin -= counts
 
     def clear(self, mode: CounterMode, value: int = 0) -> None:
-        """Set the count where the shaft stands now."""
+        """Set the count at the shaft's present position."""
         divisor = 4 // mode.quadrature.counts_per_line
         self._origin = (self._edge or 0) // divisor - value
         self.last_count = value
@@ -47,7 +47,7 @@ class QuadratureInput:
         self, shaft_revolutions: NDArray[np.float64], mode: CounterMode, home: int, *, index: bool
     ) -> Counts:
         """Return the counts at these unwrapped angles; index: whether its pulses arrive."""
-        # The tiny shift keeps an angle that rounding put just below an edge on its right side.
+        # The tiny shift corrects an angle that rounding put just below an edge.
         edges = np.floor(shaft_revolutions * self.counts_per_revolution + 1e-6).astype(np.int64)
         divisor = 4 // mode.quadrature.counts_per_line
         counts = edges // divisor if divisor > 1 else edges.copy()
@@ -61,13 +61,13 @@ class QuadratureInput:
         return counts
 
     def _origins(self, edges: Counts, divisor: int, home: int) -> Counts | int:
-        """Return the count origin of each sample: it moves where an index pulse was passed."""
+        """Return the count origin of each sample; it changes at each index pulse."""
         first = edges[0] if self._edge is None else self._edge
         low, high = min(first, edges.min()), max(first, edges.max())
         if low % self.counts_per_revolution and low // self.counts_per_revolution == (
             high // self.counts_per_revolution
         ):
-            return self._origin  # nearly always: no index between its lowest and its highest edge
+            return self._origin  # usual case: no index between the lowest and the highest edge
         before = np.empty_like(edges)
         before[0] = first
         before[1:] = edges[:-1]
@@ -104,18 +104,18 @@ _FASTEST_WITH_COUNTER_HZ = 16000.0
 
 
 class Gsv8Fault(enum.StrEnum):
-    """Name a fault; its ``value`` means what stands behind it."""
+    """Kinds of fault; the comment gives the meaning of ``value`` and its default."""
 
     # in the stream, once
-    DROPPED_FRAMES = "dropped_frames"  # how many frames are missing (1)
+    DROPPED_FRAMES = "dropped_frames"  # number of missing frames (1)
     CUT_FRAME = "cut_frame"  # bytes of the frame that are sent (11)
-    GARBAGE = "garbage"  # random bytes before a frame (7)
-    FLIPPED_BIT = "flipped_bit"  # which byte of a frame is wrong by one bit (5)
+    GARBAGE = "garbage"  # number of random bytes before a frame (7)
+    FLIPPED_BIT = "flipped_bit"  # index of the byte with one wrong bit (5)
     OVERRUN = "overrun"  # frames lost in the transmit queue (10); reported as code 91
     # in the stream, while active
-    WRONG_OBJECT_COUNT = "wrong_object_count"  # objects more than the device admits (1)
+    WRONG_OBJECT_COUNT = "wrong_object_count"  # objects more than the device reports (1)
     # at the inputs, while active
-    SATURATED_INPUT = "saturated_input"  # analog channel (1), beyond the end of its range
+    SATURATED_INPUT = "saturated_input"  # analog channel (1), beyond its range
     STUCK_INPUT = "stuck_input"  # analog channel (1)
     SENSOR_BROKEN = "sensor_broken"  # analog channel (1); value error of kind 3
     MISSING_INDEX = "missing_index"  # the index pulse does not arrive
@@ -123,24 +123,24 @@ class Gsv8Fault(enum.StrEnum):
     # at the counter, once
     COUNTER_SLIP = "counter_slip"  # counts too many (1)
     FALSE_INDEX = "false_index"  # an index pulse where there is none
-    # in the replies; count: how many, target: which command
+    # in the replies; count: number of replies, target: command
     NO_REPLY = "no_reply"
-    LOST_COMMAND = "lost_command"  # neither obeyed nor answered
-    SLOW_REPLY = "slow_reply"  # s of delay (0.3)
+    LOST_COMMAND = "lost_command"  # neither executed nor answered
+    SLOW_REPLY = "slow_reply"  # delay in s (0.3)
     REFUSED = "refused"  # status of the answer (75 hexadecimal)
     # the device
-    WRITE_ACCESS_ELSEWHERE = "write_access_elsewhere"  # every write is answered with status 75
+    WRITE_ACCESS_ELSEWHERE = "write_access_elsewhere"  # every write returns status 75
     RESET = "reset"  # power off and on
 
 
 def default_scale(kind: InputType) -> float:
-    """Return the user scale that the device loads with an input type."""
+    """Return the default user scale of an input type."""
     return p.NOMINAL_RANGE.get(kind, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
 class Hardware:
-    """What the simulated device is."""
+    """Hardware of the simulated device."""
 
     firmware: tuple[int, int] = (1, 56)
     serial_number: int = 20123456
@@ -186,13 +186,13 @@ class Memory:
 
     @property
     def analog_objects(self) -> int:
-        """Return how many analog channels are in the frame."""
+        """Return the number of analog channels in the frame."""
         return self.objects - len(self.counters)
 
 
 @dataclass(slots=True)
 class Volatile:
-    """What the device forgets when its power goes."""
+    """State that the device loses at power-off."""
 
     transmitting: bool = True
     data_checksum: bool = False
@@ -206,7 +206,7 @@ class Volatile:
 
 
 class Device:
-    """Everything that commands and stream share; ``writes`` counts changes of stored settings."""
+    """State shared by commands and stream; ``writes`` counts changes of stored settings."""
 
     def __init__(self, hardware: Hardware, settings: Memory, counts_per_revolution: int) -> None:
         self.hardware = hardware
@@ -218,7 +218,7 @@ class Device:
         self.power_on()
 
     def power_on(self) -> None:
-        """Start as after the power comes: the settings are still there, the rest is forgotten."""
+        """Restart as at power-on: the settings remain, the volatile state is reset."""
         self.state = Volatile(transmitting=not self.settings.transmit_flags & p.TX_ALWAYS_OFF)
         self.state.data_checksum = bool(self.settings.transmit_flags & p.TX_CHECKSUM)
         for counter, flags in zip(self.counters, self.settings.counter_modes, strict=True):
@@ -228,7 +228,7 @@ class Device:
     def highest_rate_Hz(
         self, data_type: DataType | None = None, objects: int | None = None, counting: bool = False
     ) -> float:
-        """Return the highest rate that the settings, or these in their place, allow."""
+        """Return the highest rate that the settings, or these instead, allow."""
         data_type = data_type or self.settings.data_type
         fastest = _FASTEST_HZ[data_type]
         if counting or self.settings.counters:
@@ -240,7 +240,7 @@ class Device:
         return fastest
 
     def note_fault(self, kind: int, flags: int, now_s: float) -> None:
-        """Remember a value error, once for each change of its flags; flags 0: it is over."""
+        """Store a value error, once per change of its flags; flags 0: it has ended."""
         before = self.state.present.get(kind, 0)
         self.state.present[kind] = flags
         if flags in (0, before):

@@ -26,7 +26,7 @@ Codes = NDArray[np.int64]
 
 
 def part_of_range(signal: NDArray[np.float64] | float, kind: InputType) -> NDArray[np.float64]:
-    """Return a signal in fractions of an input's range; an open input (infinite) far beyond it."""
+    """Return a signal as a fraction of an input's range; an open input (infinite) far outside."""
     part = np.asarray(signal / NOMINAL_RANGE.get(kind, _NO_RANGE))
     return part if np.isfinite(part).all() else np.clip(part, -_FAR_OUT, _FAR_OUT)
 
@@ -49,7 +49,7 @@ def ends_reached(inputs: NDArray[np.float64]) -> int:
 
 
 def open_inputs(signals: Mapping[int, NDArray[np.float64]]) -> int:
-    """Return the flags of a value error of kind 3 for the wires that are broken: Ud+, Ud-."""
+    """Return the flags of a value error of kind 3 for the broken wires: Ud+, Ud-."""
     flags = 0
     for channel, signal in signals.items():
         flags |= bool(signal.max() == np.inf) << 2 * (channel - 1)
@@ -58,7 +58,7 @@ def open_inputs(signals: Mapping[int, NDArray[np.float64]]) -> int:
 
 
 class AnalogInputs:
-    """Convert the eight inputs together; an input without a signal sees zero."""
+    """Convert the eight inputs together; an input without a signal reads zero."""
 
     def __init__(self) -> None:
         self._stuck: dict[int, float] = {}
@@ -90,7 +90,7 @@ _SATURATED, _SENSOR_BROKEN = 1, 3  # kinds of value errors
 
 
 class MeasuredValues:
-    """Convert what the terminals see, and make frames of it with what faults do to them."""
+    """Convert the terminal signals into frames, including the effects of faults."""
 
     def __init__(
         self,
@@ -110,11 +110,11 @@ class MeasuredValues:
         self._to_drop = 0
 
     def forget_part(self) -> None:
-        """Forget samples that wait for a high-speed frame to fill."""
+        """Discard the samples of an incomplete high-speed frame."""
         self._pending = None
 
     def convert(self, signals: RigSignals, now_s: float) -> NDArray[np.bool_]:
-        """Advance inputs and counters by these samples; return where an input is saturated."""
+        """Advance inputs and counters by these samples; return which have a saturated input."""
         device, settings = self._device, self._device.settings
         active = self._plan.active
         samples = signals.shaft_revolutions.size
@@ -133,7 +133,7 @@ class MeasuredValues:
         self._converted_as = list(settings.input_types)
         self._count(signals.shaft_revolutions)
         over, above, wires = np.zeros(samples, np.bool_), 0, 0
-        if not np.abs(inputs).max() < 1.0:  # else nothing is near an end: each search takes a while
+        if not np.abs(inputs).max() < 1.0:  # skip the slow searches if no input is near its limit
             over = self._over(inputs * CODE_PER_RANGE)
             above, wires = ends_reached(inputs), open_inputs(signals.analog)
         device.note_fault(_SATURATED, above, now_s)
@@ -145,7 +145,7 @@ class MeasuredValues:
         return over
 
     def convert_again(self) -> None:
-        """Convert the last signals anew when an input type was changed since they came."""
+        """Convert the last signals again if an input type has changed since."""
         kinds = self._device.settings.input_types
         if kinds == self._converted_as:
             return
@@ -156,13 +156,13 @@ class MeasuredValues:
         self._codes = codes
 
     def one_frame(self) -> bytes:
-        """Return the frame of the last sample, or of the test value when that is fed in by now."""
+        """Return the frame of the last sample, or of the test value once it is injected."""
         codes = self._fed(self._codes[:, -1:])
         values = self._values(codes, self._counts[:, -1:])
         return encode_frames(values, self._layout(), self._over(codes)).tobytes()
 
     def frames(self, saturated: NDArray[np.bool_]) -> bytes:
-        """Return the bytes of the samples that were converted last."""
+        """Return the bytes of the last converted samples."""
         layout = self._layout()
         values: NDArray[Any] = self._values(self._fed(self._codes), self._counts)
         extra = self._plan.active(Gsv8Fault.WRONG_OBJECT_COUNT, 1.0)
@@ -176,7 +176,7 @@ class MeasuredValues:
         return self._damaged(encode_frames(values, layout, saturated, sequences))
 
     def _fed(self, codes: NDArray[np.int64]) -> NDArray[np.int64]:
-        """Return what the converter gives: the inputs, or the test value in their place."""
+        """Return the converter's codes: of the inputs, or of the test value instead."""
         injected = self._device.state.injection == 1
         return np.full_like(codes, p.HALF_SCALE_CODE) if injected else codes
 
@@ -202,7 +202,7 @@ class MeasuredValues:
         self._counts = np.stack(rows)
 
     def _over(self, codes: NDArray[Any]) -> NDArray[np.bool_]:
-        """Return where any channel of the frame is at the end of the converter's range."""
+        """Return which samples have a channel at the end of the converter's range."""
         used = codes[: max(1, self._device.settings.analog_objects)]
         limit = OVERRANGE * CODE_PER_RANGE - 1.0
         return np.asarray((np.abs(used) >= limit).any(axis=0))
@@ -253,7 +253,7 @@ class MeasuredValues:
         return values[:, :count], saturated[:count]
 
     def _damaged(self, frames: NDArray[np.uint8]) -> bytes:
-        """Return the bytes of frames with what faults do to them."""
+        """Return the bytes of frames with the effects of faults."""
         take = self._plan.take
         overrun = take(Gsv8Fault.OVERRUN, 10.0)
         if overrun is not None:

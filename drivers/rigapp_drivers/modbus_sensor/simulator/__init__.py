@@ -16,22 +16,22 @@ from rigapp_drivers.simulated import FaultPlan, Faults
 _READS: Final = (3, 4)
 _ILLEGAL_FUNCTION, _ILLEGAL_ADDRESS, _ILLEGAL_VALUE, _FAILURE = 1, 2, 3, 4
 _SILENCE_S: Final = 0.05
-"""A longer gap ends a frame; the line says 3.5 characters, but a busy host pauses within one."""
+"""A longer gap ends a frame; the standard's 3.5 characters are too short for a busy host."""
 _REQUEST_BYTES: Final = 8
 
 
 class ModbusSensorFault(enum.StrEnum):
-    """Name a fault; its ``value`` means what stands behind it."""
+    """Kinds of fault; the comment gives the meaning of ``value`` and its default."""
 
-    # in the replies; count: how many, target: which function
+    # in the replies; count: number of replies, target: function code
     NO_REPLY = "no_reply"
     WRONG_CRC = "wrong_crc"
-    CUT_REPLY = "cut_reply"  # bytes that are sent (3)
-    SLOW_REPLY = "slow_reply"  # s of delay (1)
+    CUT_REPLY = "cut_reply"  # bytes sent (3)
+    SLOW_REPLY = "slow_reply"  # delay in s (1)
     EXCEPTION = "exception"  # its code (4)
-    OTHER_ADDRESS = "other_address"  # another device answers (2)
+    OTHER_ADDRESS = "other_address"  # address of the other device that answers (2)
     # while active
-    SENSOR_BROKEN = "sensor_broken"  # registers keep the number for no value, where they have one
+    SENSOR_BROKEN = "sensor_broken"  # registers return their number for no value, if they have one
 
 
 def crc16(data: bytes) -> int:
@@ -45,9 +45,9 @@ def crc16(data: bytes) -> int:
 
 
 class ModbusSensorSimulator:
-    """Answer reads of the registers that the settings name; see ``SimulatedSlowSource``.
+    """Reply to reads of the registers in the settings; see ``SimulatedSlowSource``.
 
-    preset, registers, address: as in the driver's settings. quantities: those that it tells.
+    preset, registers, address: as in the driver's settings. quantities: of these registers.
     faults: ``Fault`` records or tables of their fields, see ``ModbusSensorFault``.
     """
 
@@ -72,14 +72,14 @@ class ModbusSensorSimulator:
         self.observe({register.quantity: 0.0 for register in self._registers})
 
     def observe(self, values: Mapping[str, float]) -> None:
-        """Take what the sensors see now, by quantity; others keep what they had."""
+        """Set the sensors' present values by quantity; others keep theirs."""
         for register in self._registers:
             if register.quantity in values:
                 for offset, word in enumerate(register.encode(values[register.quantity])):
                     self._words[register.function, register.address + offset] = word
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause, late ones in time."""
+        """Process bytes from the host and return the replies that are due."""
         time_s = self._plan.tick(now_s)
         if data:
             if time_s - self._last_byte_s > _SILENCE_S:
@@ -93,7 +93,7 @@ class ModbusSensorSimulator:
                 replies += self._answer(frame)
             else:
                 self._buffer = (
-                    b""  # what follows a spoiled frame is unknown until the line is quiet
+                    b""  # discard everything after a damaged frame until the line is quiet
                 )
         return replies
 

@@ -79,7 +79,7 @@ class Axis:
 
     @property
     def driven(self) -> bool:
-        """Tell whether a command wants the motor to turn."""
+        """Return whether a command wants the motor to turn."""
         moving = self.target != 0.0 or self.setpoint != 0.0
         return self.mode is DriveMode.DUTY or (self.mode is DriveMode.VELOCITY and moving)
 

@@ -148,7 +148,7 @@ class Registers:
         return driven
 
     def knows(self, command: int) -> bool:
-        """Tell whether a command is one that this drive answers."""
+        """Return whether a command is one that this drive answers."""
         return command in self._readers or command in self._writers
 
     def read(self, command: int) -> bytes:
