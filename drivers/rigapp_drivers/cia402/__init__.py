@@ -1,1 +1,1 @@
-"""CiA 402 drives, the maxon EPOS4 first, over CANopen. Enter by ``driver``."""
+"""CiA 402 drives over CANopen, primarily the maxon EPOS4. Import ``driver``."""

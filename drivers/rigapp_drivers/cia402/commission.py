@@ -1,4 +1,4 @@
-"""Set a CiA 402 drive up for a run and read everything back; the drive's power stays off.
+"""Set up a CiA 402 drive for a run and read everything back; the motor stays off.
 
 Order: power off, supervision in both directions, mode, units and limits, PDOs, operational.
 """
@@ -40,19 +40,19 @@ from rigapp_drivers.spindles import refuse_request
 
 ABORT_QUICK_STOP: Final = 3
 _UNITS: Final = {"rpm": RPM, "milli-rpm": MILLI_RPM}
-_MODE_S: Final = 1.0  # a change of mode is done in some ms; no drive needs this
-_START_S: Final = 2.0  # of heartbeats of at most 1 s, one must come
-_SHORTEST_WATCHDOG_S: Final = 0.05  # a computer that is busy feeds no faster
+_MODE_S: Final = 1.0  # a change of mode takes a few ms
+_START_S: Final = 2.0  # covers at least one heartbeat, whose period is at most 1 s
+_SHORTEST_WATCHDOG_S: Final = 0.05  # a busy computer cannot feed it faster
 _LONGEST_HEARTBEAT_MS: Final = 0xFFFF  # 16 bits of object 1016
-_COARSE_RPM: Final = 0.1  # wear tests turn at some tens of rpm, and such a step is 0.3 % of 30 rpm
-_ROUNDING: Final = 0.01  # of a speed: less is lost in the speed loop of any drive
+_COARSE_RPM: Final = 0.1  # wear tests run at some tens of rpm; such a step is 0.3 % of 30 rpm
+_ROUNDING: Final = 0.01  # relative error of a speed; less is negligible in any drive's speed loop
 _RAMPS: Final = (0x6083, 0x6084)
 _CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
 
 Place = tuple[int, int]
 """Index and subindex of an object."""
 SUPERVISION: Final[tuple[Place, ...]] = ((0x1016, 1), (0x6007, 0), (0x1017, 0))
-"""What lets the drive stop by itself when this computer is silent, and shows that it lives."""
+"""Objects by which the drive stops when this computer is silent, and sends its own heartbeat."""
 REQUIRED: Final[Mapping[Place, str]] = {
     (0x6040, 0): say("commands"),
     (0x6041, 0): say("its state"),
@@ -68,7 +68,7 @@ PROFILE_QUANTITIES: Final[Mapping[str, tuple[int, float, int]]] = {
     "torque_Nm": (0x6077, 1e-6, 0x6076),
     "supply_V": (0x6079, 1e-3, 0),
 }
-"""Quantity -> object, unit, and the object whose value (mA, mNm) that is per mille of (0: none)."""
+"""Quantity -> object, unit, and object of the rated value (mA, mNm) for per mille (0: none)."""
 _EPOS_QUANTITIES: Final[Mapping[str, tuple[Place, str]]] = {
     "current_A": ((0x30D1, 1), "current_unit_A"),
     "supply_V": ((0x2200, 1), "supply_unit_V"),
@@ -80,14 +80,13 @@ Readback = dict[str, str | float | int]
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """Hold how the drive is set for this run.
+    """Set-up of the drive for this run.
 
     velocity_unit: rev/s of the crank per step of 606C and 60FF. acceleration_unit: rev/s2 of the
     crank per step.
     synchronous: speed and position come as TPDOs after a SYNC. control_pdo: RPDO1 carries 6040.
-    ramps: the objects that take an acceleration, of those that the drive has. quantities: what it
-    tells of itself, each with its object and the unit of that. kept: objects that were set, and
-    their values, which must stay.
+    ramps: existing objects for an acceleration. quantities: condition values of the drive, each
+    with its object and unit. kept: objects that were set, with their values, which must persist.
     """
 
     request: DriveRequest
@@ -104,7 +103,7 @@ class Setup:
 
 
 def check_watchdog(request: DriveRequest) -> None:
-    """Raise InvalidRequest for a time-out that the heartbeat cannot carry."""
+    """Raise InvalidRequest for a time-out outside the range of the heartbeat."""
     if not _SHORTEST_WATCHDOG_S <= request.watchdog_timeout_s <= _LONGEST_HEARTBEAT_MS * 1e-3:
         raise InvalidRequest(
             "a watchdog time-out of {:g} s is outside 0.05 to 65 s.", request.watchdog_timeout_s
@@ -112,7 +111,7 @@ def check_watchdog(request: DriveRequest) -> None:
 
 
 class Commissioning:
-    """Do the steps of one set-up; each raises SettingRefused where the drive does not take it."""
+    """Perform one set-up; each step raises SettingRefused if the drive does not accept it."""
 
     def __init__(
         self, node: CanNode, monitor: NodeMonitor, settings: Mapping[str, Any], epos: bool
@@ -171,7 +170,7 @@ class Commissioning:
     # --- supervision -----------------------------------------------------------------------------
 
     def _supervise(self, timeout_s: float) -> float:
-        """Let the drive watch this computer's heartbeat, and send its own."""
+        """Make the drive supervise this computer's heartbeat and send its own."""
         milliseconds = math.floor(timeout_s * 1e3 + 1e-6)
         host_id = int(self._settings["host_node_id"])
         self._set(0x1016, 0, 1)
@@ -194,7 +193,7 @@ class Commissioning:
         return milliseconds * 1e-3
 
     def _start(self) -> int:
-        """Make the node operational, begin the host's heartbeat; return the boot-ups so far."""
+        """Set the node operational, start the host's heartbeat; return the count of boot-ups."""
         node, monitor = self._node, self._monitor
         node.start_beating(int(self._settings["host_node_id"]))
         boot_ups = monitor.boot_ups
@@ -263,7 +262,7 @@ class Commissioning:
         return unit
 
     def _velocity_unit(self) -> float:
-        """Return rev/s of the motor per step: by object 60A9, else by the setting."""
+        """Return rev/s of the motor per step, from object 60A9 or else from the setting."""
         wanted = _UNITS.get(str(self._settings["velocity_unit"]))
         given = float(self._settings["velocity_step_rpm"]) / 60.0
         raw = self._node.read_if_there(0x60A9)
@@ -304,7 +303,7 @@ class Commissioning:
         return ramps
 
     def _find_quantities(self) -> dict[str, tuple[Place, float]]:
-        """Return what the drive tells of itself: objects of the EPOS4, or of CiA 402 if there."""
+        """Return the objects of the condition values: of the EPOS4, or existing ones of CiA 402."""
         if self._epos:
             return {
                 quantity: (entry, float(self._settings[unit]))
@@ -319,7 +318,7 @@ class Commissioning:
         return quantities
 
     def _require(self) -> None:
-        """Refuse a drive that lacks what nothing can replace, before anything is set."""
+        """Refuse a drive without the indispensable objects, before anything is set."""
         for (index, subindex), what in REQUIRED.items():
             if not self._is_there(index, subindex):
                 raise SettingRefused.at(
@@ -360,7 +359,7 @@ class Commissioning:
     # --- PDOs ------------------------------------------------------------------------------------
 
     def _map_pdos(self) -> tuple[bool, bool]:
-        """Map speed and position to SYNC and the control word to RPDO1; tell which it can do."""
+        """Map speed and position to SYNC and the control word to RPDO1; return which succeeded."""
         try:
             control = self._map_control()
         except SettingRefused:
@@ -390,7 +389,7 @@ class Commissioning:
         return node.read(0x1400, 1) == wanted and self._mapping(0x1600) == _CONTROL_ONLY
 
     def _map_on_sync(self, number: int, entries: tuple[int, ...]) -> int:
-        """Map TPDO number (from 0) and return its identifier."""
+        """Map the TPDO of a number (from 0) and return its identifier."""
         node, parameters, mapping = self._node, 0x1800 + number, 0x1A00 + number
         kept = node.read(parameters, 1) & ~PDO_INVALID & ~COB_MASK
         cob_id = kept | TPDO_BASES[number] + node.node_id
@@ -413,11 +412,11 @@ class Commissioning:
     def _is_there(self, index: int, subindex: int) -> bool:
         try:
             return self._node.read_if_there(index, subindex) is not None
-        except SettingRefused:  # it may be written only
+        except SettingRefused:  # it may be write-only
             return True
 
     def _set_if_there(self, index: int, value: int) -> bool:
-        """Write a number and read it back; False where the drive has no such object."""
+        """Write a number and read it back; False if the drive has no such object."""
         if self._node.read_if_there(index) is None:
             return False
         self._set(index, value)

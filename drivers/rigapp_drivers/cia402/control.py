@@ -1,4 +1,4 @@
-"""Change the state of a CiA 402 drive, read its motion and condition, and name what is wrong."""
+"""Change the state of a CiA 402 drive, and read its motion, condition and faults."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from rigapp_drivers.cia402.protocol import (
 )
 from rigapp_drivers.spindles import WATCHDOG_PERIOD, torque_Nm
 
-STEP_S: Final = 1.0  # a step of the state machine takes some ms, with a brake some hundred
+STEP_S: Final = 1.0  # a state transition takes a few ms, with a brake a few hundred
 _POWERLESS: Final = (
     State.NOT_READY,
     State.SWITCH_ON_DISABLED,
@@ -41,7 +41,7 @@ _POWERLESS: Final = (
 class DriveControl:
     """Change the state of one drive; every wait ends after ``STEP_S``.
 
-    stop_requests: of the node when the caller began; a stop since then forbids to enable.
+    stop_requests: of the node when the caller began; after a later stop the drive is not enabled.
     """
 
     def __init__(self, node: CanNode, stop_requests: int | None = None) -> None:
@@ -49,14 +49,14 @@ class DriveControl:
         self._stop_requests = node.stop_requests if stop_requests is None else stop_requests
 
     def state(self) -> State | None:
-        """Return the present state, asked from the drive."""
+        """Read the present state from the drive."""
         return state_of(self._node.read(0x6041))
 
     def enable(self) -> None:
-        """Go step by step to operation enabled, with target velocity 0.
+        """Step through the state machine to operation enabled, with target velocity 0.
 
-        Raises DeviceFault when the drive is in fault or a stop comes in between, ReplyTimeout when
-        it stays in a state.
+        Raises DeviceFault if the drive is in fault or a stop is requested meanwhile, ReplyTimeout
+        if it does not leave a state.
         """
         node = self._node
         node.write(0x60FF, 0)
@@ -73,7 +73,7 @@ class DriveControl:
             state = self._wait_to_leave(state)
 
     def give_way(self) -> None:
-        """Raise DeviceFault when another thread wants to stop."""
+        """Raise DeviceFault if another thread has requested a stop."""
         if self._node.stop_requests != self._stop_requests:
             raise DeviceFault.at(self._node, "a stop arrived before the speed was set.")
 
@@ -91,7 +91,7 @@ class DriveControl:
         return now
 
     def power_off(self) -> None:
-        """Disable the voltage and see that it is off; raise ReplyTimeout when it is not."""
+        """Disable the voltage and verify that it is off; raise ReplyTimeout if it is not."""
         node = self._node
         node.write(0x6040, Control.DISABLE_VOLTAGE)
         deadline = time.monotonic() + STEP_S
@@ -106,7 +106,7 @@ class DriveControl:
         node.write(0x60FF, 0)
 
     def acknowledge(self, monitor: NodeMonitor) -> None:
-        """Make the node operational, switch off and acknowledge; raise DeviceFault if in vain."""
+        """Set the node operational, switch off, acknowledge; raise DeviceFault on failure."""
         node = self._node
         if monitor.node_state not in (None, NodeState.OPERATIONAL):
             sent_ns = time.monotonic_ns()
@@ -134,17 +134,17 @@ class DriveControl:
 _log = logging.getLogger(__name__)
 
 _IN_TURN: Final = ("supply_V", "temperature_C")
-_HEARTBEATS_MISSED: Final = 12  # a host that is late loses some; a drive that is off loses all
+_HEARTBEATS_MISSED: Final = 12  # a delayed host misses some; with the drive off all are missing
 _HEARTBEAT_LEAST_S: Final = 2.0
-"""A drive that is gone answers no question, which is known at once; only one that answers without a
-heartbeat has so long, and no pause of this computer of a second or so is taken for that."""
+"""Minimum time before a missing heartbeat is a fault. A disconnected drive is detected at once by
+its missing replies; this applies to one that replies, and must exceed pauses of this computer."""
 _CATCH_UP_S: Final = 0.4
-"""So long may this process have been held up itself, with heartbeats that wait to be received."""
+"""Time to receive queued heartbeats after a delay of this process."""
 
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """Hold the slow readings; NaN where the drive has no object for them."""
+    """Slow readings; NaN if the drive has no object for them."""
 
     current_A: float = math.nan
     supply_V: float = math.nan
@@ -154,7 +154,7 @@ class Condition:
 
 
 class Readings:
-    """Read one drive as it was set up: PDOs on SYNC where it can, SDOs otherwise."""
+    """Read one drive by its set-up: PDOs on SYNC if supported, SDOs otherwise."""
 
     def __init__(
         self,
@@ -175,7 +175,7 @@ class Readings:
         self.late_pdos = 0
 
     def motion(self) -> AxisMotion:
-        """Return the present motion; PDOs that are late are counted, logged and replaced."""
+        """Return the present motion; late PDOs are counted, logged and replaced by SDOs."""
         node, monitor = self._node, self._monitor
         self._motions += 1
         expected = self._setup.synchronous and monitor.node_state == NodeState.OPERATIONAL
@@ -196,11 +196,11 @@ class Readings:
 
     @property
     def supervision_is_due(self) -> bool:
-        """Return whether it is time to read the supervision of this computer back again."""
+        """Return whether the readback of the supervision settings is due."""
         return self._motions % WATCHDOG_PERIOD == 0
 
     def condition(self) -> Condition:
-        """Return current and torque, and in turn a new supply, temperature or safe torque off."""
+        """Read current and torque, and in rotation one of supply, temperature, safe torque off."""
         objects, last, node = self._setup.quantities, self._condition, self._node
         turns = (0, 1, 2) if self._polls == 0 else (self._polls % 3,)
         self._polls += 1
@@ -227,7 +227,7 @@ class Readings:
         return self._condition
 
     def faults(self, motion: AxisMotion, condition: Condition, running: bool) -> list[str]:
-        """Return what forbids to go on, in words; running: the drive should be enabled."""
+        """Return the faults that require a stop, in words; running: drive should be enabled."""
         faults = [emergency.words for emergency in self._monitor.active()]
         state = state_of(motion.status_word)
         if state in (State.FAULT, State.FAULT_REACTION):
@@ -257,7 +257,7 @@ class Readings:
         return []
 
     def warnings(self, motion: AxisMotion) -> list[str]:
-        """Return what the operator should know, in words."""
+        """Return the warnings for the operator, in words."""
         warnings: list[str] = [
             say("came and ended: {}", e.words) for e in self._monitor.take_passed()
         ]

@@ -1,7 +1,8 @@
 """A CiA 402 drive (maxon EPOS4 or another maker's) as a Spindle, over CANopen.
 
-The drive supervises this computer's heartbeat (object 1016) and stops quickly when it is missing.
-No thread sends that heartbeat: every call sends one, so a program that hangs stops the spindle.
+The drive supervises this computer's heartbeat (object 1016) and performs a quick stop when it is
+missing. Every call sends one heartbeat, and no thread does, so a program that hangs stops the
+spindle.
 """
 
 from __future__ import annotations
@@ -140,8 +141,8 @@ _INT32: Final = 2**31 - 1
 class Cia402Drive:
     """Turn the crank with a CiA 402 drive in profile velocity mode.
 
-    Every call is serialised by one lock, but ``drive_off`` sends its control word past it and then
-    confirms it.
+    One lock serialises every call; ``drive_off`` bypasses it to send its control word and then
+    verifies the effect.
     """
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
@@ -160,10 +161,10 @@ class Cia402Drive:
     # --- connection ------------------------------------------------------------------------------
 
     def open(self) -> Identity:
-        """Open the bus and identify the drive; nothing is set.
+        """Open the bus and identify the drive; no setting is changed.
 
-        Raises ConnectionFailed when the bus or the node is not there, WrongDevice when the node is
-        no CiA 402 drive.
+        Raises ConnectionFailed if the bus or the node is missing, WrongDevice if the node is no
+        CiA 402 drive.
         """
         with self._lock:
             self._release()
@@ -192,7 +193,7 @@ class Cia402Drive:
     def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
         """Switch the motor off, set the supervision in both directions, and read all back.
 
-        Raises SettingRefused when the drive does not take a value, ReplyTimeout, DeviceLost.
+        Raises SettingRefused if the drive does not accept a value, ReplyTimeout, DeviceLost.
         """
         with self._lock:
             node = self._open_node()
@@ -211,7 +212,7 @@ class Cia402Drive:
         with self._power_off_first():
             node = self._node
             if node is not None and self._setup is not None:
-                with contextlib.suppress(DeviceError):  # the drive's supervision stops it anyway
+                with contextlib.suppress(DeviceError):  # the heartbeat supervision stops the drive
                     DriveControl(node).power_off()
                     node.command(Nmt.PRE_OPERATIONAL)
                     node.write(0x1016, 0, 1)
@@ -227,10 +228,10 @@ class Cia402Drive:
     # --- motion ----------------------------------------------------------------------------------
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
-        """Ramp to a speed in rev/s, signed as the rig; 0 is the controlled stop.
+        """Ramp to a speed in rev/s with the rig's sign; 0 is a controlled stop.
 
-        Enables the drive when it is not. Raises SettingRefused for a speed that may not be,
-        DeviceFault when the drive is in fault or was stopped by a fault that nobody has reset.
+        Enables the drive if necessary. Raises SettingRefused for a speed that is not allowed,
+        DeviceFault if the drive is in fault or was stopped by a fault that is not reset.
         """
         stop_requests = self._open_node().stop_requests
         with self._lock:
@@ -269,9 +270,9 @@ class Cia402Drive:
         return steps
 
     def drive_off(self) -> None:
-        """Take the power off the motor at once (disable voltage); it coasts.
+        """Remove the motor's power at once (disable voltage); it coasts.
 
-        Raises ReplyTimeout, DeviceLost when the drive did not confirm it.
+        Raises ReplyTimeout, DeviceLost without a confirmation by the drive.
         """
         with self._power_off_first():
             node = self._open_node()
@@ -280,17 +281,17 @@ class Cia402Drive:
 
     @contextlib.contextmanager
     def _power_off_first(self) -> Iterator[None]:
-        """Hold the lock; before that, send the control word past it where it can be.
+        """Hold the lock; send the control word before acquiring it, if possible.
 
-        As a PDO where the drive takes one, and also as an SDO in the middle of a call under way: a
-        node that is not operational takes no PDO.
+        Sent as a PDO if the drive accepts one, and also as an SDO during a pending call, as a node
+        that is not operational ignores PDOs.
         """
         node, setup = self._node, self._setup
         held = self._lock.acquire(blocking=False)
         if node is not None:
             node.stop_requests += 1
             node.hurry.set()
-            with contextlib.suppress(DeviceError):  # the confirmed command meets the error again
+            with contextlib.suppress(DeviceError):  # the confirmed command raises the error again
                 if setup is not None and setup.control_pdo:
                     word = int(Control.DISABLE_VOLTAGE).to_bytes(2, "little")
                     node.send(RPDO1_BASE + node.node_id, word)
@@ -306,9 +307,9 @@ class Cia402Drive:
             self._lock.release()
 
     def reset_fault(self) -> None:
-        """Switch the motor off and acknowledge faults; raise DeviceFault when one stays.
+        """Switch the motor off and acknowledge faults; raise DeviceFault if one persists.
 
-        Raises SettingsLost when the drive is not set up as it was.
+        Raises SettingsLost if the drive has lost its settings.
         """
         stop_requests = self._open_node().stop_requests
         with self._lock:
@@ -323,10 +324,10 @@ class Cia402Drive:
     # --- reading ---------------------------------------------------------------------------------
 
     def status(self) -> DriveStatus:
-        """Read the state; feeds the drive's supervision of this computer.
+        """Return the state; this sends a heartbeat to the drive.
 
-        Speed, count and set-point are signed as the rig. Current, supply and temperature are NaN
-        where the drive has no object for them. Raises SettingsLost when the drive has restarted,
+        Speed, count and set-point have the rig's sign. Current, supply and temperature are NaN if
+        the drive has no object for them. Raises SettingsLost after a restart of the drive,
         ReplyTimeout.
         """
         with self._lock:
@@ -355,7 +356,7 @@ class Cia402Drive:
         return self._monitor.history
 
     def counters(self) -> Mapping[str, int]:
-        """Return what was counted on the bus since it was opened; no lock, no question."""
+        """Return the counters of the bus since it was opened; no lock, no communication."""
         node = self._node
         if node is None:
             return {}
@@ -395,9 +396,9 @@ class Cia402Drive:
         )
 
     def _judge_silence(self, node: CanNode, setup: Setup) -> None:
-        """Take note that the drive's supervision has fired, and make the stop certain.
+        """Record a stop by the drive's heartbeat supervision, and switch the motor off.
 
-        Whether it has is told by the drive's state: this computer's clock says only when to ask.
+        The drive's state shows whether it stopped; this computer's clock only triggers the check.
         """
         silence_s = (time.monotonic_ns() - node.last_beat_ns) * 1e-9
         if self._target is None or silence_s <= setup.watchdog_s:
@@ -410,13 +411,13 @@ class Cia402Drive:
         node.write(0x6040, Control.QUICK_STOP)
 
     def _left_enabled(self, motion: AxisMotion) -> bool:
-        """Return whether the drive stopped by itself, as one does whose restart nobody has seen."""
+        """Return whether the drive is no longer enabled, for example after an unnoticed restart."""
         return self._target is not None and state_of(motion.status_word) is not State.ENABLED
 
     def _check_setup(self, node: CanNode, objects: Iterable[Place], setup: Setup) -> None:
-        """Read back what was set; with another value take the power off and raise SettingsLost.
+        """Read back settings; if one differs, remove the power and raise SettingsLost.
 
-        A restart may lose some of it and keep the rest, and its only message may be lost.
+        A restart may lose only some of them, and its only message, the boot-up, may be lost.
         """
         for index, subindex in objects:
             wanted = setup.kept.get((index, subindex))  # None: the drive has no such object
@@ -433,7 +434,7 @@ class Cia402Drive:
             )
             self._setup = None
             self._target = None
-            with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
+            with contextlib.suppress(DeviceError):  # the caller's stop raises the error again
                 DriveControl(node).power_off()
             watchdog_s = (node.read(0x1016, 1) & 0xFFFF) * 1e-3
             raise settings_lost(self, watchdog_s, setup.watchdog_s)

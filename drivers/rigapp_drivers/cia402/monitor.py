@@ -1,4 +1,4 @@
-"""What a drive says by itself, with time stamps: heartbeat, emergencies, TPDOs."""
+"""Unsolicited messages of a drive, with time stamps: heartbeat, emergencies, TPDOs."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from rigapp_drivers.cia402.protocol import (
     parse_status_and_value,
 )
 
-HISTORY: Final = 64  # more than a fault and its followers
+HISTORY: Final = 64  # more than a fault and its consequential faults
 
 
 @dataclass(frozen=True, slots=True)
 class AxisMotion:
-    """Hold status word, velocity and position in the drive's units."""
+    """Status word, velocity and position in the drive's units."""
 
     status_word: int
     velocity: int
@@ -30,7 +30,7 @@ class AxisMotion:
 
 
 class NodeMonitor:
-    """Take frames in the receiving thread; tell the newest in any other.
+    """Receive frames in the receiving thread; return the newest values in any other.
 
     The emergency history keeps the last 64 and drops the oldest.
     """
@@ -51,7 +51,7 @@ class NodeMonitor:
     # --- receiving thread ------------------------------------------------------------------------
 
     def take_heartbeat(self, data: bytes, host_time_ns: int) -> None:
-        """Take a heartbeat or boot-up message."""
+        """Process a heartbeat or boot-up message."""
         if not data:
             return
         with self._changed:
@@ -62,7 +62,7 @@ class NodeMonitor:
             self._changed.notify_all()
 
     def take_emergency(self, data: bytes, host_time_ns: int) -> None:
-        """Take an emergency message; code 0 ends all errors that are active."""
+        """Process an emergency message; code 0 ends all active errors."""
         emergency = parse_emergency(data, host_time_ns)
         if emergency is None:
             return
@@ -77,7 +77,7 @@ class NodeMonitor:
             self._changed.notify_all()
 
     def take_status(self, data: bytes, _: int) -> None:
-        """Take a TPDO that begins with the status word."""
+        """Process a TPDO that begins with the status word."""
         word = parse_status(data)
         with self._changed:
             if word is not None:
@@ -85,7 +85,7 @@ class NodeMonitor:
             self._changed.notify_all()
 
     def take_value(self, name: str, data: bytes, _: int) -> None:
-        """Take the TPDO with the status word and ``velocity`` or ``position``."""
+        """Process the TPDO with the status word and ``velocity`` or ``position``."""
         pair = parse_status_and_value(data)
         if pair is None:
             return
@@ -104,13 +104,13 @@ class NodeMonitor:
 
     @property
     def boot_ups(self) -> int:
-        """Return how many boot-up messages came."""
+        """Return the number of received boot-up messages."""
         with self._changed:
             return self._boot_ups
 
     @property
     def emergencies(self) -> int:
-        """Return how many emergency messages came that told of an error."""
+        """Return the number of received emergency messages that report an error."""
         with self._changed:
             return self._emergencies
 
@@ -121,40 +121,40 @@ class NodeMonitor:
             return tuple(self._history)
 
     def active(self) -> tuple[Emergency, ...]:
-        """Return the emergencies that are not over."""
+        """Return the active emergencies."""
         with self._changed:
             return tuple(self._active.values())
 
     def take_passed(self) -> tuple[Emergency, ...]:
-        """Return the emergencies that came and went since the last call."""
+        """Return the emergencies that began and ended since the last call."""
         with self._changed:
             passed = tuple(e for e in self._unseen if e.code not in self._active)
             self._unseen = []
             return passed
 
     def forget_active(self) -> None:
-        """Take all emergencies as over."""
+        """Clear all active emergencies."""
         with self._changed:
             self._active.clear()
             self._unseen = []
 
     def heartbeat_age_s(self) -> float | None:
-        """Return how long ago the last heartbeat came, None before the first."""
+        """Return the age of the last heartbeat, None before the first."""
         with self._changed:
             stamp = self._heartbeat_ns
         return None if stamp is None else (time.monotonic_ns() - stamp) * 1e-9
 
     def wait_for_state(self, state: int, since_ns: int, timeout_s: float) -> bool:
-        """Wait until a heartbeat that came after since_ns tells a state."""
+        """Wait until a heartbeat received after since_ns reports a state."""
 
-        def is_told() -> bool:
+        def is_reported() -> bool:
             return self._state == state and (self._heartbeat_ns or 0) > since_ns
 
         with self._changed:
-            return self._changed.wait_for(is_told, timeout_s)
+            return self._changed.wait_for(is_reported, timeout_s)
 
     def wait_for_heartbeat(self, younger_than_s: float, timeout_s: float) -> bool:
-        """Wait for a heartbeat that is younger than a time; frames may wait to be received."""
+        """Wait for a heartbeat younger than a time, as frames may still be queued."""
 
         def is_young() -> bool:
             stamp = self._heartbeat_ns
@@ -164,18 +164,18 @@ class NodeMonitor:
             return self._changed.wait_for(is_young, timeout_s)
 
     def marks(self) -> dict[str, int]:
-        """Return marks to give to ``wait_for_motion`` after a SYNC."""
+        """Return the present counts of motion TPDOs, for ``wait_for_motion`` after a SYNC."""
         with self._changed:
             return dict(self._counts)
 
     def wait_for_motion(self, marks: Mapping[str, int], timeout_s: float) -> AxisMotion | None:
-        """Wait until both motion TPDOs have come since the marks; None when they did not."""
+        """Wait until both motion TPDOs were received since the marks; None on time-out."""
 
-        def have_come() -> bool:
+        def are_received() -> bool:
             return all(count > marks[name] for name, count in self._counts.items())
 
         with self._changed:
-            if not self._changed.wait_for(have_come, timeout_s):
+            if not self._changed.wait_for(are_received, timeout_s):
                 return None
             assert self._status_word is not None
             return AxisMotion(self._status_word, **self._values)

@@ -1,6 +1,6 @@
 """One CANopen node on a CAN bus through python-can and canopen: frames, SDO, host heartbeat.
 
-An own thread receives, because python-can's notifier dies silently of the first exception. One
+A dedicated thread receives, because python-can's notifier ends silently at the first exception. One
 lock serialises the SDOs.
 """
 
@@ -45,14 +45,14 @@ from rigapp_drivers.transport import SerialPort
 from rigapp_drivers.wire.ports import RECORDED, PortNotFound, actual_port
 from rigapp_drivers.wire.recorder import recorders_of
 
-TRIES: Final = 3  # one lost frame must not stop a test; a node that is silent thrice is gone
+TRIES: Final = 3  # one lost frame must not stop a test; after three the node is considered lost
 FIRST_TRIES: Final = 10  # until it is identified nothing turns, and a busy computer may be late
 _SLCAN_BAUD_RATE: Final = 115200  # as python-can opens it
 _OBJECTS: Final = Path(__file__).with_name("objects.eds")
-_WAIT_S: Final = 0.05  # so soon does the receiver see that it is to end
+_WAIT_S: Final = 0.05  # maximum delay until the receiver notices its end
 _SEND_S: Final = 1.0
-"""An adapter that takes no frame for so long is lost. Not shorter: pyserial calls a frame that went
-out whole late when the computer let the program wait; the drive's heartbeat stops it meanwhile."""
+"""Time-out after which an adapter that accepts no frame is lost. Not shorter: pyserial reports a
+time-out for a sent frame if the program was delayed; the drive's supervision stops it meanwhile."""
 _JOIN_S: Final = 2.0  # many times the wait of the receiver
 _NAMES_OBJECT: Final = (2, 3, 4)  # begun upload, begun download, abort (CiA 301, 7.2.4.3)
 _MISSING: Final = (0x0602_0000, 0x0609_0011)  # no such object, no such sub-index (CiA 301)
@@ -73,11 +73,11 @@ class _Bus(canopen.Network):  # type: ignore[misc]
 
 
 class CanNode:
-    """Speak to one node. ``send`` may be called by any thread; SDOs are serialised.
+    """Communicate with one node. ``send`` may be called by any thread; SDOs are serialised.
 
-    ``tries`` is how often a question without an answer is asked, where no call says it.
-    ``hurry`` ends the retries of an SDO under way, so that a stop need not wait for them.
-    ``stop_requests`` counts: a call that began before the last one enables nothing.
+    ``tries``: default number of tries of a request.
+    ``hurry`` ends the retries of a pending SDO, so that a stop need not wait for them.
+    ``stop_requests`` counts stops: a call that began before the last one does not enable the drive.
     """
 
     def __init__(
@@ -115,7 +115,7 @@ class CanNode:
         client.network = self._network
 
         def answered(data: bytes, host_time_ns: int) -> None:
-            # canopen compares the object of a read only, so a late answer could confirm a write.
+            # canopen checks the object only for reads, so a late reply could confirm a write.
             named = data[:1] and data[0] >> 5 in _NAMES_OBJECT
             if named and not self._requested.is_answer(data[1:4]):
                 return
@@ -127,12 +127,12 @@ class CanNode:
     # --- bus -------------------------------------------------------------------------------------
 
     def open(self) -> None:
-        """Open the bus and start to receive; raise ConnectionFailed."""
+        """Open the bus and start receiving; raise ConnectionFailed."""
         try:
             self._refuse_shared_port()
             options = dict(self._bus_options)
             channel = str(options["channel"])
-            if channel.startswith(RECORDED):  # whatever adapter it was recorded with
+            if channel.startswith(RECORDED):  # for any adapter of the recording
                 options |= {"interface": "slcan", "timeout": 0.01, "sleep_after_open": 0.0}
             if options["interface"] == "slcan":
                 options["channel"] = actual_port(channel)
@@ -142,7 +142,7 @@ class CanNode:
             raise
         except PortNotFound as error:
             raise ConnectionFailed.at(self, sentence_of_error(error)) from error
-        except Exception as error:  # each interface has errors of its own
+        except Exception as error:  # each interface has its own exception classes
             interface = self._bus_options["interface"]
             raise ConnectionFailed.at(
                 self,
@@ -156,7 +156,7 @@ class CanNode:
         self._thread.start()
 
     def _refuse_shared_port(self) -> None:
-        """Leave an slcan adapter alone that another program uses; python-can would share it."""
+        """Refuse an slcan adapter that another program uses; python-can would share it."""
         channel = str(self._bus_options["channel"])
         recorded = channel.startswith(RECORDED)
         if self._bus_options["interface"] != "slcan" or "://" in channel or recorded:
@@ -166,7 +166,7 @@ class CanNode:
             line.open()
         except PortInUse:
             raise
-        except ConnectionFailed:  # python-can says better why
+        except ConnectionFailed:  # python-can's error is more specific
             return
         finally:
             line.close()
@@ -209,14 +209,14 @@ class CanNode:
             message = None
             try:
                 message = bus.recv(_WAIT_S)
-            except (ValueError, IndexError):  # slcan: a line that is no frame
+            except (ValueError, IndexError):  # slcan: an invalid line
                 self.bad_frames += 1
                 continue
             except can.CanOperationError as error:
                 if not isinstance(error.__cause__, UnicodeDecodeError):
                     self._failure = error
                     return
-                # python-can would decode a byte that is no ASCII again and again with what follows.
+                # python-can would decode a non-ASCII byte again with all following bytes.
                 self.bad_frames += 1
                 bus._buffer.clear()
             except Exception as error:
@@ -226,7 +226,7 @@ class CanNode:
                 self._deliver(message)
 
     def _deliver(self, message: Any) -> None:
-        # python-can takes an slcan line that lost some of its digits for a shorter frame.
+        # python-can accepts an slcan line with missing digits as a shorter frame.
         cut = not message.is_remote_frame and len(message.data) != message.dlc
         if message.is_error_frame or cut:
             self.bad_frames += 1
@@ -257,16 +257,16 @@ class CanNode:
         self.send(NMT_ID, bytes((command, self.node_id)))
 
     def start_beating(self, host_id: int) -> None:
-        """Send the host's heartbeat from now on with every ``beat`` and every SDO."""
+        """Start sending the host's heartbeat with every ``beat`` and every SDO."""
         self._host_id = host_id
         self.beat()
 
     def stop_beating(self) -> None:
-        """Send no more heartbeats."""
+        """Stop sending heartbeats."""
         self._host_id = None
 
     def beat(self) -> None:
-        """Send one heartbeat of the host: no thread sends it when nobody calls."""
+        """Send one heartbeat of the host; no thread sends it otherwise."""
         if self._host_id is not None:
             self.send(HEARTBEAT_BASE + self._host_id, bytes((NodeState.OPERATIONAL,)))
             self.last_beat_ns = time.monotonic_ns()
@@ -283,7 +283,7 @@ class CanNode:
             raise self._refused(index, subindex, say("{}, {}", data.hex(), error)) from error
 
     def read_if_there(self, index: int, subindex: int = 0) -> int | None:
-        """Return a number, None when the drive has no such object."""
+        """Return a number, None if the drive has no such object."""
         try:
             return self.read(index, subindex)
         except SettingRefused as refusal:
@@ -293,7 +293,7 @@ class CanNode:
             raise
 
     def read_text(self, index: int) -> str:
-        """Return a text, "" when the drive has none."""
+        """Return a text, "" if the drive has none."""
         try:
             data = self._try(index, 0, None, lambda: self._sdo.upload(index, 0))
         except SettingRefused:
@@ -306,7 +306,7 @@ class CanNode:
         self._try(index, subindex, tries, lambda: self._sdo.download(index, subindex, data))
 
     def overtake(self, index: int, value: int) -> None:
-        """Send a download in the middle of a transfer under way; nobody waits for the answer."""
+        """Send a download during a pending transfer without waiting for the reply."""
         data = self._variable(index, 0).encode_raw(value)
         head = struct.pack("<BHB", 0x23 | (4 - len(data)) << 2, index, 0)
         self.send(SDO_REQUEST_BASE + self.node_id, head + data.ljust(4, b"\0"))
@@ -373,7 +373,7 @@ def _shown(index: int, subindex: int) -> str:
 
 
 def _line_of(message: Any) -> bytes:
-    """Return a received frame as the slcan line by which it is recorded, of whatever adapter."""
+    """Return a received frame as an slcan line for the recording, for any adapter."""
     remote = bool(message.is_remote_frame)
     data = b"" if remote else bytes(message.data)
     return encode_frame(
@@ -382,7 +382,7 @@ def _line_of(message: Any) -> bytes:
 
 
 def _hold_port(bus: Any) -> None:
-    """Keep other programs off the serial port of an slcan bus."""
+    """Lock the serial port of an slcan bus against other programs."""
     port: Any = getattr(bus, "serialPortOrig", None)
     if not hasattr(port, "fd"):
         return
@@ -395,7 +395,7 @@ def _hold_port(bus: Any) -> None:
 
 
 def _close_port(bus: Any) -> None:
-    """Close the serial port of an slcan bus whose shutdown failed half-way (cable pulled)."""
+    """Close the serial port of an slcan bus after a failed shutdown (cable pulled)."""
     port = getattr(bus, "serialPortOrig", None)
     if port is not None:
         try:
@@ -410,8 +410,8 @@ _WAKING_TRIES: Final = 3  # the first is lost while a drive finds its bit rate
 def identify(node: CanNode, interface: str, objects: str) -> Identity:
     """Return the drive's identity; details["objects"] is "epos4" or "generic".
 
-    objects: the setting. Raises ConnectionFailed when the node does not answer, WrongDevice when
-    it is no CiA 402 drive.
+    objects: the setting. Raises ConnectionFailed if the node does not answer, WrongDevice if it is
+    no CiA 402 drive.
     """
     try:
         device_type = _wake(node)
@@ -438,7 +438,7 @@ def identify(node: CanNode, interface: str, objects: str) -> Identity:
 
 
 def _wake(node: CanNode) -> int:
-    """Return the device type; a stopped node, or one that finds the bit rate, needs a push."""
+    """Read the device type; wake a stopped node, or one that is detecting the bit rate."""
     try:
         return node.read(0x1000, tries=_WAKING_TRIES)
     except ReplyTimeout:

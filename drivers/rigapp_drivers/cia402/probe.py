@@ -1,8 +1,8 @@
-"""Look for CANopen nodes by their heartbeats, with nothing sent until one is heard.
+"""Find CANopen nodes by their heartbeats; nothing is sent before one is received.
 
-On a serial port an slcan adapter is asked for its version and opened listen-only. A node that was
-heard is then asked which objects it has: values are read, none is set. A drive says a heartbeat
-only when it was told to (object 1017), and a boot-up message when its power comes.
+On a serial port the version of an slcan adapter is read and the channel opened listen-only. Then
+the objects of each detected node are read; none is written. A drive sends heartbeats only if
+configured to (object 1017), and a boot-up message at power-on.
 """
 
 from __future__ import annotations
@@ -50,11 +50,11 @@ ABILITIES: Final[Mapping[tuple[int, int], str]] = {
     (0x6077, 0): say("torque"),
     (0x6079, 0): say("supply voltage"),
 }
-"""What a CiA 402 drive may have or lack, by the object that holds it."""
+"""Object -> optional function of a CiA 402 drive."""
 
 
 def ask(line: BytePort, timeout_s: float) -> Identity | None:
-    """Return the slcan adapter on a port, with the nodes heard in ``details["nodes"]``."""
+    """Return the slcan adapter on a port, with the detected nodes in ``details["nodes"]``."""
     line.write(b"\rV\r")
     version = re.search(rb"V([0-9A-Fa-f]{4})\r", _until(line, rb"V[0-9A-Fa-f]{4}\r", timeout_s))
     if version is None:
@@ -81,7 +81,7 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
 
 
 def _abilities(line: BytePort, node: int, timeout_s: float) -> dict[str, str]:
-    """Return what a node has and lacks of what a drive may have, by the objects that it reads."""
+    """Return which optional functions a node has and lacks, by reading their objects."""
     abilities: dict[bool, list[str]] = {True: [], False: []}
     for (index, subindex), what in ABILITIES.items():
         value = _read(line, node, index, subindex, timeout_s)
@@ -94,7 +94,7 @@ def _abilities(line: BytePort, node: int, timeout_s: float) -> dict[str, str]:
 
 
 def _read(line: BytePort, node: int, index: int, subindex: int, timeout_s: float) -> int | None:
-    """Return the number of an object, False where it is not there, None without an answer."""
+    """Return the number of an object, False if it does not exist, None without a reply."""
     address = struct.pack("<HB", index, subindex)
     line.write(encode_frame(Frame(SDO_REQUEST_BASE + node, b"\x40" + address + bytes(4))))
     data, deadline = "", time.monotonic() + timeout_s
@@ -109,7 +109,7 @@ def _read(line: BytePort, node: int, index: int, subindex: int, timeout_s: float
 
 
 def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -> dict[int, int]:
-    """Return node id -> state of the nodes whose heartbeat is heard on a CAN interface.
+    """Return node id -> state of the nodes whose heartbeat is received on a CAN interface.
 
     interface: of python-can. Nothing is sent. Raises ConnectionFailed.
     """
@@ -121,7 +121,7 @@ def listen(interface: str, channel: str, seconds: float = 1.0, **options: Any) -
                 message = bus.recv(left)
                 if message is not None and not message.is_extended_id:
                     _note(nodes, message.arbitration_id, bytes(message.data))
-    except Exception as error:  # each interface has errors of its own
+    except Exception as error:  # each interface has its own exception classes
         raise ConnectionFailed(
             "CAN", channel, "the CAN interface {} cannot be listened to ‹{}›.", interface, error
         ) from error
@@ -158,7 +158,7 @@ def _note(nodes: dict[int, int], identifier: int, data: Iterable[int]) -> None:
 
 
 def _until(line: BytePort, pattern: bytes | None, timeout_s: float) -> bytes:
-    """Return what comes until a pattern is there, or for the whole time."""
+    """Return the bytes received until a pattern, or until the time-out."""
     data = b""
     deadline = time.monotonic() + timeout_s
     while (left := deadline - time.monotonic()) > 0.0 and len(data) < _MOST_BYTES:

@@ -1,4 +1,4 @@
-"""CiA 402 over CANopen: numbers to meaning and back, without any input or output.
+"""CiA 402 over CANopen: encode and decode numbers, without any input or output.
 
 Sources: CiA 301 (COB-IDs, NMT, emergencies), CiA 402 (state machine, objects, unit notation), the
 EPOS firmware specification (error codes) and the EPOS4 object dictionary (objects 2xxx and 3xxx).
@@ -34,7 +34,7 @@ SYNCHRONOUS: Final = 1
 
 
 class Nmt(enum.IntEnum):
-    """Name the commands of network management."""
+    """Commands of network management."""
 
     START = 0x01
     STOP = 0x02
@@ -44,7 +44,7 @@ class Nmt(enum.IntEnum):
 
 
 class NodeState(enum.IntEnum):
-    """Name the states that a heartbeat tells; 0 is the boot-up message."""
+    """States reported by a heartbeat; 0 is the boot-up message."""
 
     BOOT_UP = 0x00
     STOPPED = 0x04
@@ -53,7 +53,7 @@ class NodeState(enum.IntEnum):
 
 
 class State(enum.StrEnum):
-    """Name the states of the drive's state machine."""
+    """States of the drive's state machine."""
 
     NOT_READY = "not ready to switch on"
     SWITCH_ON_DISABLED = "switch on disabled"
@@ -66,7 +66,7 @@ class State(enum.StrEnum):
 
 
 class Control(enum.IntEnum):
-    """Name the control words of object 6040."""
+    """Control words of object 6040."""
 
     DISABLE_VOLTAGE = 0x00
     QUICK_STOP = 0x02
@@ -101,7 +101,7 @@ STANDSTILL_BIT: Final = 1 << 12
 
 
 def state_of(status_word: int) -> State | None:
-    """Return the state that a status word (6041) tells, None for a pattern without a meaning."""
+    """Return the state encoded by a status word (6041), None for an undefined pattern."""
     for mask, value, state in _STATES:
         if status_word & mask == value:
             return state
@@ -122,10 +122,10 @@ _PER_TIME_S: Final[Mapping[int, float]] = {0x03: 1.0, 0x47: 60.0}
 
 
 def velocity_unit_rev_per_s(unit: int) -> float | None:
-    """Return rev/s per step of a velocity unit (60A9), None when it is unknown.
+    """Return rev/s per step of a velocity unit (60A9), None if it is unknown.
 
-    Bits 31..24 are the signed power of ten, 23..16 the unit (B4 revolutions), 15..8 the time it is
-    divided by (03 second, 47 minute).
+    Bits 31..24 are the signed power of ten, 23..16 the numerator (B4 revolutions), 15..8 the
+    denominator (03 second, 47 minute).
     """
     power, numerator, denominator, rest = struct.unpack(">bBBB", struct.pack(">I", unit))
     if numerator != _REVOLUTIONS or denominator not in _PER_TIME_S or rest != 0:
@@ -173,10 +173,10 @@ _CLASSES: Final[Mapping[int, str]] = {
 
 
 def describe_code(code: int | None) -> str:
-    """Return an error code (603F, emergency) in words, always with its number; None: none is told.
+    """Return an error code (603F, emergency) in words, always with its number; None: no code.
 
-    The words of known codes are those of the EPOS1 generation and say so; an unknown code gets the
-    words of its class (CiA 301).
+    The texts of known codes are those of the EPOS1 generation and are marked so; an unknown code
+    gets the text of its class (CiA 301).
     """
     if code is None:
         return say("a fault of which it gives no code")
@@ -189,7 +189,7 @@ def describe_code(code: int | None) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Emergency:
-    """Hold one emergency message; code 0 says that the errors are gone."""
+    """One emergency message; code 0 means that the errors have ended."""
 
     host_time_ns: int
     code: int
@@ -203,7 +203,7 @@ class Emergency:
 
 
 def parse_emergency(data: bytes, host_time_ns: int) -> Emergency | None:
-    """Return an emergency message, None when the frame is too short for one."""
+    """Return an emergency message, None if the frame is too short."""
     if len(data) < 3:
         return None
     code, register = struct.unpack_from("<HB", data)
@@ -223,7 +223,7 @@ STATUS_AND_VELOCITY: Final = (mapping_entry(0x6041, 0, 16), mapping_entry(0x606C
 
 
 def parse_status_and_value(data: bytes) -> tuple[int, int] | None:
-    """Return status word and signed 32-bit value of a TPDO, None when its length is wrong."""
+    """Return status word and signed 32-bit value of a TPDO, None if its length is wrong."""
     if len(data) != 6:
         return None
     status_word, value = struct.unpack("<Hi", data)
@@ -231,7 +231,7 @@ def parse_status_and_value(data: bytes) -> tuple[int, int] | None:
 
 
 def parse_status(data: bytes) -> int | None:
-    """Return the status word that a TPDO begins with, None when it is too short."""
+    """Return the status word at the beginning of a TPDO, None if it is too short."""
     return int.from_bytes(data[:2], "little") if len(data) >= 2 else None
 
 

@@ -1,4 +1,4 @@
-"""Lawicel (slcan) lines of a CAN adapter: to CAN frames and back, and shown in words."""
+"""Convert Lawicel (slcan) lines of a CAN adapter to CAN frames and back, and decode them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ BIT_RATES: Final = {
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Hold one CAN frame; a remote frame has a length but no data."""
+    """One CAN frame; a remote frame has a length but no data."""
 
     identifier: int
     data: bytes = b""
@@ -62,7 +62,7 @@ def encode_frame(frame: Frame) -> bytes:
 
 
 def decode_frame(line: str) -> Frame | None:
-    """Return the frame of a line without its CR, None when it is none."""
+    """Return the frame of a line without its CR, None if it is not a frame."""
     kind, digits = line[:1], 8 if line[:1] in ("T", "R") else 3
     head, payload = line[1 : 1 + digits], line[2 + digits :]
     try:
@@ -79,9 +79,9 @@ def decode_frame(line: str) -> Frame | None:
 
 
 class SlcanAdapter:
-    """Keep the state of a simulated adapter: channel open or not, bit rate, half lines.
+    """State of a simulated adapter: channel open or not, bit rate, incomplete lines.
 
-    ``receive`` returns the frames that the host wants on the bus and the adapter's own answers.
+    ``receive`` returns the frames that the host sends to the bus, and the adapter's replies.
     """
 
     def __init__(self) -> None:
@@ -91,7 +91,7 @@ class SlcanAdapter:
         self._line = b""
 
     def receive(self, data: bytes) -> tuple[list[Frame], bytes]:
-        """Take bytes from the host."""
+        """Process bytes from the host."""
         frames: list[Frame] = []
         answers = b""
         *lines, self._line = (self._line + data).split(OK)
@@ -118,7 +118,7 @@ class SlcanAdapter:
             self.bit_rate = BIT_RATES[rest]
             return OK
         if command == "s" and len(rest) == 4:
-            self.bit_rate = None  # timing registers: taken as right
+            self.bit_rate = None  # timing registers: assumed to match the bus
             return OK
         if command == "V":
             return b"V1013" + OK
@@ -135,7 +135,7 @@ class SlcanAdapter:
 
 
 _NODES: Final = 0x7F
-_SPECIFIER: Final = 0xE0  # what an SDO frame is (CiA 301, 7.2.4.3)
+_SPECIFIER: Final = 0xE0  # command specifier of an SDO frame (CiA 301, 7.2.4.3)
 _ABORT: Final = 0x80
 _WORDS: Final = {
     (True, 0x20): "write",
@@ -153,13 +153,13 @@ class Decoder:
         self._rest = ""
 
     def sent(self, data: bytes) -> Iterator[str]:
-        """Yield the frames that the program sent."""
+        """Yield the sent frames."""
         for line in data.decode("ascii", "replace").split("\r"):
             if line:
                 yield _words(line)
 
     def received(self, data: bytes) -> Iterator[str]:
-        """Yield the frames that came."""
+        """Yield the received frames."""
         *lines, self._rest = (self._rest + data.decode("ascii", "replace")).split("\r")
         for line in filter(None, lines):
             yield _words(line)

@@ -1,1 +1,1 @@
-"""The DATAQ DI-2108 and DI-4108: voltages, scans by clock or encoder. Enter by ``driver``."""
+"""The DATAQ DI-2108 and DI-4108: voltages, scans by clock or encoder. Import ``driver``."""

@@ -1,26 +1,26 @@
 """Acquire from a DATAQ DI-2108 or DI-4108: voltages, and scans clocked by the encoder.
 
-Internal clock: the sample index is time; the counter row tells the angle.
+Internal clock: the sample index is time; the counter row gives the angle.
 
-Encoder clock (``clock = "encoder"``, ``start 2``): encoder line A on input D6 makes the device scan
-once a pulse. The sample index is then the angle: sample i is pulse i since the start, lost scans
-counted by the counter. ``StreamSetup.sample_rate_Hz`` is nominal then, the rate that was asked for:
-it sizes buffers. The time of a sample is told by the pulse rate where that is recorded
-(``rate_range_Hz``, line A on the rate input as well), else by ``Block.host_time_ns`` only. A
-standing shaft sends nothing: every ``idle_check_s`` the device is asked whether it lives, and a
-Block without samples says that it does.
+Encoder clock (``clock = "encoder"``, ``start 2``): encoder line A on input D6 triggers one scan per
+pulse. The sample index is then the angle: sample i is pulse i since the start, lost scans are
+counted by the counter. ``StreamSetup.sample_rate_Hz`` is then nominal, the requested rate, and
+sizes buffers. The time of a sample follows from the pulse rate if that is recorded
+(``rate_range_Hz``, line A on the rate input as well), else from ``Block.host_time_ns`` only. With a
+stationary shaft nothing is sent: the device is polled every ``idle_check_s``, and its reply is
+reported as a Block without samples.
 
-The device's counter counts one edge of one input and knows no direction: a shaft that turns back
-counts on. Counts per revolution are the encoder's lines, not its edges after quadrature. With the
-encoder clock, lines B and Z on digital inputs (``direction_line``, ``index_line``) tell direction
-and index, see ``sense``; with the internal clock there is neither.
+The device's counter counts one edge of one input regardless of direction: it also counts up when
+the shaft turns back. Counts per revolution are the encoder's lines, not its edges after quadrature.
+With the encoder clock, lines B and Z on digital inputs (``direction_line``, ``index_line``) give
+direction and index, see ``stream.CountDirection``; with the internal clock there is neither.
 
 Inputs of a DI-4108: rate D2, counter D3; D6 is the external scan clock only. All digital lines are
-set to input, as one that switches would short the encoder.
+set to input, as a switching output would short the encoder.
 
-Unknown until commissioning, and so assumed: that a DI-2108 has the same inputs, the edge that is
-used, the smallest pulse width, the highest pulse rate, that a DI-4108 takes ``start 2`` as a
-DI-2108 does, and that the counter counts on while the device does not scan.
+Assumed until commissioning: that a DI-2108 has the same inputs, the edge that is used, the smallest
+pulse width, the highest pulse rate, that a DI-4108 accepts ``start 2`` as a DI-2108 does, and that
+the counter continues while the device does not scan.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ from rigapp_drivers.transport import SerialPort, byte_counters, opened
 _log = logging.getLogger(__name__)
 
 _USB_VENDOR: Final = 0x0683
-_BAUD_RATE: Final = 115200  # without meaning on USB
+_BAUD_RATE: Final = 115200  # no effect on USB
 
 
 class Dataq:
@@ -84,14 +84,14 @@ class Dataq:
         self._stream: Stream | None = None
 
     def open(self) -> Identity:
-        """Open the port, bring the device to rest and identify it.
+        """Open the port, stop scanning and identify the device.
 
         Raises ConnectionFailed (port, or nothing answers) or WrongDevice.
         """
         return opened(self._line, self._identify)
 
     def configure(self, request: DataRequest) -> StreamSetup:
-        """Tell the device everything and check every echo; raise SettingRefused."""
+        """Send all settings and check every echo; raise SettingRefused."""
         self.stop()
         settings = {**self._settings, **request.settings}
         with refusing(self):
@@ -124,10 +124,10 @@ class Dataq:
         self._stream = stream
 
     def read(self, timeout_s: float) -> Block | None:
-        """Return the next Block, None when none came in time.
+        """Return the next Block, None on time-out.
 
-        Raises DeviceLost (port, hang, reset) or ProtocolError (the counter check fails again and
-        again).
+        Raises DeviceLost (port, hang, reset) or ProtocolError (repeated failures of the counter
+        check).
         """
         return None if self._stream is None else self._stream.read(timeout_s)
 
@@ -140,7 +140,7 @@ class Dataq:
         )
 
     def stop(self) -> None:
-        """Stop streaming; safe to call twice. Samples that came before can still be read."""
+        """Stop streaming; safe to call twice. Samples received before can still be read."""
         if self._stream is not None:
             self._stream.stop()
 
@@ -154,15 +154,15 @@ class Dataq:
 
     @property
     def tally(self) -> Tally:
-        """Return what went wrong since the stream was started."""
+        """Return the counts of errors since the stream was started."""
         return Tally() if self._stream is None else self._stream.tally
 
     def input_faults(self) -> tuple[InputFault, ...]:
-        """Return inputs that showed one value only while the shaft turned, since the start."""
+        """Return inputs with a constant value while the shaft turned, since the start."""
         return self.tally.faults
 
     def counters(self) -> Mapping[str, int]:
-        """Return what was counted on the line since it was opened or the stream started."""
+        """Return the counters of the line since it was opened or the stream started."""
         tally = self.tally
         return {
             **byte_counters(self._line),
@@ -175,7 +175,7 @@ class Dataq:
     # --- set-up ---------------------------------------------------------------------------------
 
     def _rest(self) -> None:
-        """Bring the device to rest, whatever it was doing; raise ConnectionFailed, WrongDevice."""
+        """Stop scanning from any state; raise ConnectionFailed, WrongDevice."""
         for _ in range(2):
             data = self._link.stop()
             if data is not None:
@@ -196,7 +196,7 @@ class Dataq:
         )
 
     def _told_rate(self) -> str:
-        """Return the rate as the device tells it, empty where its firmware does not."""
+        """Return the rate reported by the device, empty if its firmware does not report it."""
         try:
             return self._link.rate(tries=1)
         except (ReplyTimeout, ProtocolError):
@@ -231,7 +231,7 @@ class Dataq:
         )
 
     def _advice(self) -> dict[str, str]:
-        """Return what to look at in this device, as item of a readback."""
+        """Return advice on this device, as item of a readback."""
         advice = []
         if 0 < self._firmware < p.ADVISED_FIRMWARE:
             advice.append(
@@ -295,7 +295,7 @@ def _counter_words(plan: Plan) -> str:
 
 
 def check(request: DataRequest) -> None:
-    """Raise InvalidRequest for what no such device can do; nothing is opened."""
+    """Raise InvalidRequest for what no such device supports; no port is opened."""
     make_plan(request, filled(SETTINGS, request.settings))
 
 

@@ -1,6 +1,6 @@
-"""Exchange command lines with an idle DATAQ instrument, and bring a scanning one to rest.
+"""Exchange command lines with an idle DATAQ instrument, and stop a scanning one.
 
-``PROBE`` looks for an instrument on a port.
+``PROBE`` identifies an instrument on a port.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ from rigapp_drivers.dataq.protocol import BadReply, Info, line, query_value, spl
 from rigapp_drivers.exchange import NamedQuestions
 
 READ_BYTES: Final = 1 << 18
-TRIES: Final = 2  # a command that is lost once is sent again; the echo proves it
-_SLICE_S: Final = 0.05  # so late may a stop be seen
+TRIES: Final = 2  # a lost command is sent again; the echo confirms it
+_SLICE_S: Final = 0.05  # maximum delay until a stop is noticed
 _STOP: Final = line("stop")
 _RATE: Final = line("rrate")
 _SHOWN: Final = 40
 
 
 class Link:
-    """Speak with one instrument; one thread at a time.
+    """Communicate with one instrument; one thread at a time.
 
-    heard: bytes that came in answer to the latest ``stop``, its echo among them. An answer repeats
-    its command, so that a late one is known and passed over. tail: what came behind the latest.
+    heard: bytes received after the latest ``stop``, its echo included. A reply repeats its command,
+    so that a late one is recognised and skipped. tail: bytes after the latest reply.
     """
 
     def __init__(self, port: BytePort, reply_timeout_s: float, pause_s: float) -> None:
@@ -66,9 +66,9 @@ class Link:
             ) from error
 
     def rate(self, tries: int = TRIES) -> str:
-        """Return the requested rate as the device tells it; raise ReplyTimeout, ProtocolError.
+        """Return the set rate as reported by the device; raise ReplyTimeout, ProtocolError.
 
-        Older firmware does not tell it. It is one of the settings that are lost with the power.
+        Older firmware does not report it. It is one of the settings lost at power-off.
         """
         reply = self._exchange(_RATE, tries)
         try:
@@ -77,9 +77,9 @@ class Link:
             raise ProtocolError.at(self.port, "{}; check the device's firmware.", error) from error
 
     def stop(self) -> bytes | None:
-        """Stop scanning and return the samples that came before its echo; None: no echo came.
+        """Stop scanning and return the samples received before the echo; None without an echo.
 
-        An echo ends what the device sends: the line is quiet afterwards.
+        The echo is the last transmission: the line is quiet afterwards.
         """
         self.port.write(_STOP)
         data = b""
@@ -94,7 +94,7 @@ class Link:
         return None
 
     def _exchange(self, command: bytes, tries: int = TRIES) -> str:
-        """Return the answering line; a line that is not for this command is passed over."""
+        """Send a command and return the reply; skip lines of other commands."""
         wanted = _words(command)
         stray, rest = "", b""
         self._requested.timeout_s = self.reply_timeout_s
@@ -132,7 +132,7 @@ class Link:
 
 
 def _question_of(reply: str) -> str:
-    """Return what a reply repeats of its question: a query has its value behind it."""
+    """Return the repeated command of a reply; after that of a query follows its value."""
     words = {"info": 2, "rrate": 1}.get(reply.partition(" ")[0])
     return reply if words is None else " ".join(reply.split()[:words])
 
@@ -141,17 +141,17 @@ def _words(command: bytes) -> str:
     return command.rstrip(b"\r").decode("ascii").strip()
 
 
-_REST_S: Final = 0.05  # by then the rest of another answer has come
+_REST_S: Final = 0.05  # by then the rest of another reply has arrived
 _MOST_BYTES: Final = 4096
 _SERIAL_DIGITS: Final = 8
 
 
 def ask(port: BytePort, timeout_s: float) -> Identity | None:
-    """Return who answers ``info 1`` with its echo and a model number; nothing is set.
+    """Probe with ``info 1`` for its echo and a model number; nothing is set.
 
-    A scanning instrument answers to ``stop`` alone, which is not sent: it is known by its USB id.
+    A scanning instrument replies to ``stop`` only, which is not sent: its USB id identifies it.
     """
-    port.write(b"\r")  # ends what another question left in the device's line
+    port.write(b"\r")  # terminates an incomplete command of another probe
     port.read_some(_MOST_BYTES, min(timeout_s, _REST_S))
     link = Link(port, timeout_s, 0.0)
     try:
@@ -167,7 +167,7 @@ def ask(port: BytePort, timeout_s: float) -> Identity | None:
 
 
 def identity_of(model: str, firmware: str, serial: str, port: str) -> Identity:
-    """Return who answers, by what it says; its firmware's version comes as hundredths in hex."""
+    """Return the identity from the replies; the firmware version is in hundredths, in hex."""
     if re.fullmatch(r"[0-9A-Fa-f]+", firmware):
         firmware = version_words(int(firmware, 16))
     return Identity(
@@ -176,7 +176,7 @@ def identity_of(model: str, firmware: str, serial: str, port: str) -> Identity:
 
 
 def version_words(hundredths: int) -> str:
-    """Return a firmware version as the maker writes it."""
+    """Return a firmware version in the manufacturer's notation."""
     return f"{hundredths // 100}.{hundredths % 100:02d}"
 
 

@@ -1,4 +1,4 @@
-"""Turn a DataRequest into a scan list, a rate, and what the rows of a Block mean; pure."""
+"""Convert a DataRequest into a scan list, a rate, and the ChannelSpecs of the rows; pure."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from rigapp_drivers.dataq.scans import ENCODER_STEPS, Layout, Steps
 from rigapp_drivers.dataq.settings import NO_LINE
 
 COUNTER: Final = "counter_1"
-_SPARE_STEPS: Final = 2  # lines are not spaced evenly, and an edge falls before or after a scan
+_SPARE_STEPS: Final = 2  # uneven line spacing, and an edge just before or after a scan
 _LOWEST_COUNT, _HIGHEST_COUNT = -(2.0**31), 2.0**31 - 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Analog:
-    """Describe an analog input: its range, and the gain of a bridge amplifier before it, if any.
+    """An analog input: its range, and the gain of the bridge amplifier before it, if any.
 
     gain: V at the input for 1 mV/V of the bridge; None: the input is a voltage.
     """
@@ -32,7 +32,7 @@ class Analog:
     gain: float | None = None
 
     def spec(self, number: int) -> ChannelSpec:
-        """Return what the row of this input means: V, or mV/V of the bridge before the gain."""
+        """Return the ChannelSpec of this input: in V, or in mV/V of the bridge before the gain."""
         span = self.range_V if self.gain is None else self.range_V / self.gain
         unit = "V" if self.gain is None else "mV/V"
         return ChannelSpec(f"analog_{number}", unit, p.analog_scale(span), 0.0, -span, span)
@@ -40,10 +40,10 @@ class Analog:
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Carry everything that the device is told.
+    """All settings of the device.
 
     scan_list: words by position. rows: of the scan, in the order of ``channels``. direction_line,
-    index_line: numbers of the digital lines with B and Z of the encoder. wiring: in words.
+    index_line: numbers of the digital lines with B and Z of the encoder. wiring: description.
     """
 
     model: Model
@@ -63,7 +63,7 @@ class Plan:
     wiring: str
 
     def commands(self, *, end_list: bool) -> tuple[bytes, ...]:
-        """Return the command lines of the set-up; ps comes last, as srate may rewrite it."""
+        """Return the command lines of the set-up; ps is last, as srate may change it."""
         lines = [p.line("encode", 0), p.line("endo", p.ALL_INPUTS)]
         lines += [p.line("slist", index, word) for index, word in enumerate(self.scan_list)]
         if end_list:
@@ -149,7 +149,7 @@ def _lines(settings: Mapping[str, Any], clock: Clock) -> tuple[int | None, int |
 
 
 def _wiring(settings: Mapping[str, Any], clock: Clock) -> str:
-    """Say which line of the encoder goes where."""
+    """Return the wiring of the encoder in words."""
     by_encoder = clock is Clock.ENCODER
     places = [say("{} (scan clock)", p.CLOCK_LINE)] if by_encoder else []
     places.append(say("{} (counter)", p.COUNTER_LINE))
@@ -162,7 +162,7 @@ def _wiring(settings: Mapping[str, Any], clock: Clock) -> str:
 
 
 def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -> dict[int, Analog]:
-    """Return the analog inputs by number (1 to 8), in growing order."""
+    """Return the analog inputs by number (1 to 8), in ascending order."""
     analog: dict[int, Analog] = {}
     for name, (kind, wanted) in request.inputs.items():
         if kind == "counter":
@@ -194,7 +194,7 @@ def _analog(request: DataRequest, model: Model, amplifiers: Mapping[str, Any]) -
 
 
 def _bridge(name: str, range_mV_per_V: float, model: Model, gains: Mapping[str, Any]) -> Analog:
-    """Return a bridge behind an external amplifier, in the smallest range that holds it."""
+    """Return a bridge with an external amplifier, in the smallest sufficient range."""
     if name not in gains:
         raise InvalidRequest(
             (
@@ -264,7 +264,7 @@ def _rate(wanted_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
 
 
 def _steps(clock: Clock, rate_Hz: float, pulses: float, settings: Mapping[str, Any]) -> Steps:
-    """Return how the counter may step; counts per scan and per scan squared."""
+    """Return the limits of the counter's steps, in counts per scan and per scan squared."""
     if clock is Clock.ENCODER:
         return ENCODER_STEPS
     speed = settings["maximum_speed_rpm"] / 60.0
@@ -300,7 +300,7 @@ def _channels(
 
 
 def _packet_code(block_bytes: float, clock: Clock) -> int:
-    """Return the largest packet that a block fills twice; the smallest for the encoder clock."""
+    """Return the largest packet of at most half a block; the smallest for the encoder clock."""
     if clock is Clock.ENCODER:
         return 0
     fitting = [code for code, size in enumerate(p.PACKET_SIZES) if 2 * size <= block_bytes]

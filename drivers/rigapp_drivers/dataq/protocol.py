@@ -1,9 +1,9 @@
 """Commands, scan-list words and conversions of the DATAQ DI-2108 and DI-4108; pure.
 
 Commands are lower-case ASCII lines that end in CR, numbers decimal. While idle, the device echoes
-each command (a query with its value behind it), CR, perhaps NULs. While it scans it echoes ``stop``
-alone. The stream has no header, no mark and no checksum: one little-endian 16-bit word for each
-entry of the scan list, in the list's order.
+each command (a query followed by its value), CR, possibly NULs. While scanning it echoes only
+``stop``. The stream has no header, no sync word and no checksum: one little-endian 16-bit word for
+each entry of the scan list, in the list's order.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ RATE_LINE: Final = "D2"
 COUNTER_LINE: Final = "D3"
 CLOCK_LINE: Final = "D6"
 FREE_LINES: Final = ("D0", "D1", "D2", "D4", "D5")
-ALL_INPUTS: Final = 0  # of endo: a bit that is set makes its line a switch
+ALL_INPUTS: Final = 0  # argument of endo: a set bit makes its line an output switch
 
 _DIGITAL_LINES: Final = 0x7F
 _RATE_STEPS: Final = 65535.0
 
 
 class Function(enum.IntEnum):
-    """Say what an entry of the scan list is (bits 3 to 0); 0 to 7 are the analog channels."""
+    """Function of a scan-list entry (bits 3 to 0); 0 to 7 are the analog channels."""
 
     DIGITAL = 8
     RATE = 9
@@ -46,14 +46,14 @@ class Function(enum.IntEnum):
 
 
 class Clock(enum.StrEnum):
-    """Say what makes the device scan."""
+    """Scan clock of the device."""
 
     INTERNAL = "internal"
     ENCODER = "encoder"
 
 
 class Info(enum.IntEnum):
-    """Number the queries that the driver uses."""
+    """Numbers of the queries in use."""
 
     MODEL = 1
     FIRMWARE = 2
@@ -66,7 +66,7 @@ FILTERS: Final[Mapping[str, int]] = {"last point": 0, "average": 1, "maximum": 2
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """Tell models apart: ranges in V by range code, and the bits of a word that are signal."""
+    """Properties of a model: ranges in V by range code, and the significant bits of a word."""
 
     number: int
     ranges_V: tuple[float, ...]
@@ -85,7 +85,7 @@ MODELS: Final[Mapping[int, Model]] = {
 
 
 class BadReply(ValueError):
-    """Say what is wrong with the device's answer to a command."""
+    """The device's reply to a command is invalid."""
 
 
 # --- commands -----------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ def analog_word(channel: int, range_code: int) -> int:
 
 
 def rate_word(range_Hz: float) -> int:
-    """Return the scan-list word of the rate input; raise ValueError for a range it has not."""
+    """Return the scan-list word of the rate input; raise ValueError for a missing range."""
     if range_Hz not in RATE_RANGES_HZ:
         raise ValueError(say("the rate input has no range of {:g} Hz", range_Hz))
     return (RATE_RANGES_HZ.index(range_Hz) + 1) << 8 | Function.RATE
@@ -119,16 +119,16 @@ def start_line(clock: Clock) -> bytes:
 
 
 def split_replies(data: bytes) -> tuple[list[str], bytes]:
-    """Return the complete lines of idle text and what is left of the last one.
+    """Return the complete lines of idle text and the incomplete rest.
 
-    NULs and line feeds are not part of a line; bytes beyond ASCII show as escapes.
+    NULs and line feeds are removed; non-ASCII bytes are shown as escapes.
     """
     *lines, rest = data.replace(b"\0", b"").replace(b"\n", b"").split(b"\r")
     return [text.decode("ascii", "backslashreplace") for text in lines], rest
 
 
 def query_value(command: bytes, reply: str) -> str:
-    """Return the value in the answer to a query; raise BadReply."""
+    """Return the value in the reply to a query; raise BadReply."""
     requested = command.rstrip(b"\r").decode("ascii").strip()
     value = reply.removeprefix(requested)
     if value == reply or not value.strip():
@@ -137,18 +137,18 @@ def query_value(command: bytes, reply: str) -> str:
 
 
 def echoes_of(command: bytes, nuls: int = 0) -> tuple[bytes, ...]:
-    """Return what may stand before the first sample: the echo of ``start``, in either form.
+    """Return the possible echoes of ``start`` before the first sample.
 
-    nuls: so many stood behind the echo of the command before; zeros may also be a sample.
+    nuls: number of NULs after the previous command's echo; zeros may also be a sample.
     """
     bare = tuple(dict.fromkeys((command, b"start\r")))
     return (*(echo + bytes(nuls) for echo in bare if nuls), *bare)
 
 
 def without_echo(data: bytes, echoes: tuple[bytes, ...]) -> bytes | None:
-    """Return the stream without an echo at its very beginning; None: too few bytes to tell.
+    """Return the stream without an echo at its beginning; None: too few bytes to decide.
 
-    Only an exact echo is taken off, the longest: a sample may contain 0D.
+    Only an exact echo is removed, the longest one: a sample may contain 0D.
     """
     if any(len(data) < len(echo) and echo.startswith(data) for echo in echoes):
         return None
@@ -189,8 +189,8 @@ def saturated_limits(mask: int) -> tuple[int, int]:
 class Decoder:
     """Decode both directions of one line; implements ``api.WireDecoder``.
 
-    Between ``start`` and the echo of ``stop`` come samples, which are told by their number of
-    bytes: they have no mark of their own.
+    Samples arrive between ``start`` and the echo of ``stop``; only their number of bytes is
+    reported, as they have no sync word.
     """
 
     def __init__(self) -> None:
@@ -205,7 +205,7 @@ class Decoder:
             yield command
 
     def received(self, data: bytes) -> Iterator[str]:
-        """Yield the answering lines, or how many bytes of samples came."""
+        """Yield the reply lines, or the number of bytes of samples."""
         if self._scans:
             end = data.rfind(line("stop"))
             samples = data if end < 0 else data[:end]

@@ -2,7 +2,7 @@
 
 Wrong combinations were reported to hang an instrument until its power was cycled. A DI-4108 with 8
 channels hung at srate 375 and ran at 3000, so every entry of the scan list gets 375 ticks. dec is
-taken from a short list, the smallest that will do, and deca stays 1 but for rates below 2 Hz.
+the smallest sufficient value of a short list, and deca is 1 except for rates below 2 Hz.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ _FACTORS: Final = (
     *(256, 320, 400, 500, 512),
 )
 DECIMATIONS: Final = (*((dec, 1) for dec in _FACTORS), (500, 10), (500, 100))
-"""Pairs of dec (1 to 512) and deca (1 to 40000), by growing product."""
+"""Pairs of dec (1 to 512) and deca (1 to 40000), in ascending order of their product."""
 
-_ROUNDING: Final = 1e-12  # of a quotient that is a whole number of ticks
-_EXACT: Final = 1e-5  # 10 ppm, less than the error of the device's own quartz
+_ROUNDING: Final = 1e-12  # relative rounding error of a quotient that is a whole number of ticks
+_EXACT: Final = 1e-5  # 10 ppm, less than the error of the device's quartz
 
 
 class NoSuchRate(SentenceError, ValueError):
-    """Say which rate cannot be had, and the nearest ones that can."""
+    """A rate is not available; the sentence names the nearest ones that are."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rate:
-    """Carry one checked combination."""
+    """One checked combination."""
 
     srate: int
     dec: int
@@ -49,13 +49,13 @@ class Rate:
 
 
 def checked(rate: Rate, entries: int) -> bool:
-    """Return whether a combination may be sent for a scan list of so many entries."""
+    """Return whether a combination is allowed for a scan list of ``entries`` words."""
     smallest = max(SMALLEST_SRATE, TICKS_PER_ENTRY * entries)
     return (rate.dec, rate.deca) in DECIMATIONS and smallest <= rate.srate <= LARGEST_SRATE
 
 
 def nearest_rates(sample_rate_Hz: float, entries: int) -> list[Rate]:
-    """Return the nearest rate below (or at) and above a wish, where there are such."""
+    """Return the nearest rates not above and above a requested rate, as far as they exist."""
     smallest = max(SMALLEST_SRATE, TICKS_PER_ENTRY * entries)
     below, above = [], []
     for dec, deca in DECIMATIONS:
@@ -63,7 +63,7 @@ def nearest_rates(sample_rate_Hz: float, entries: int) -> list[Rate]:
         below.append(Rate(max(smallest, math.ceil(ticks * (1.0 - _ROUNDING))), dec, deca))
         above.append(Rate(min(LARGEST_SRATE, math.floor(ticks * (1.0 + _ROUNDING))), dec, deca))
     below, above = ([rate for rate in some if checked(rate, entries)] for some in (below, above))
-    # Of equals, max and min take the first, which has the smallest decimation.
+    # For equal rates, max and min return the first, which has the smallest decimation.
     speed = attrgetter("sample_rate_Hz")
     return [best(some, key=speed) for best, some in ((max, below), (min, above)) if some]
 
@@ -92,5 +92,5 @@ def rate_for(sample_rate_Hz: float, entries: int) -> Rate:
 
 
 def encoder_rate(entries: int) -> Rate:
-    """Return the combination under the encoder clock: no decimation, a base rate known to run."""
+    """Return the combination for the encoder clock: no decimation, a base rate known to work."""
     return Rate(max(ENCODER_SRATE, TICKS_PER_ENTRY * entries), 1, 1)

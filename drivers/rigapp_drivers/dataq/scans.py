@@ -1,19 +1,19 @@
-"""Cut the byte stream into scans, check the alignment of every one, and decode in bulk; pure.
+"""Split the byte stream into scans, check the alignment of every one, and decode in bulk; pure.
 
-The stream carries no mark, so the counter entry is the mark: from scan to scan it may only step as
-the shaft can turn (internal clock), or by exactly one (encoder clock). A lost or added byte puts
-other bytes in the counter's place. By chance such a word passes once with odds of ``Steps.odds``
-(1/65536 for the encoder clock). The last ``GUARD`` scans are therefore held back until scans behind
-them have passed, and are discarded with the first one that does not.
+The stream has no sync word, so the counter entry serves as one: from scan to scan it may change
+only as the shaft can turn (internal clock), or by exactly one (encoder clock). A lost or added byte
+puts other bytes in the counter's place. Such a word passes one check by chance with a probability
+of ``Steps.odds`` (1/65536 for the encoder clock). The last ``GUARD`` scans are therefore held back
+until later scans have passed, and are discarded with the first one that fails.
 
-With the encoder clock a step of n + 1 that is followed by ``GUARD`` steps of 1 is a loss of n whole
-scans: the alignment holds, the gap is known exactly and the stream goes on. The scan with that step
-is discarded, too, as it may be joined from the ends of two. Every other mismatch ends the parser's
-work until ``restart``.
+With the encoder clock a step of n + 1 followed by ``GUARD`` steps of 1 is a loss of n whole scans:
+the alignment holds, the gap is known exactly and the stream continues. The scan with that step is
+discarded, too, as it may be joined from the ends of two. After any other mismatch the parser stops
+until ``restart``.
 
-Not seen here: bytes that change without being lost (USB checks them), and with the internal clock
-whole scans that are lost while the shaft stands, or turns so slowly that ``Steps.change`` hides
-them. The host's clock shows those.
+Not detected here: bytes that change without being lost (USB checks them), and with the internal
+clock whole scans lost while the shaft is stationary, or turns so slowly that ``Steps.change`` hides
+them. The host's clock detects those.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ from rigapp_drivers.dataq.protocol import (
     without_echo,
 )
 
-GUARD: Final = 4  # odds of a wrong scan to pass as often: 65536^-4 with the encoder clock
-MOST_LOST: Final = COUNTER_SPAN // 2  # more and the 16-bit counter could have gone the other way
+GUARD: Final = 4  # a wrong scan passes so many checks with odds of 65536^-4 (encoder clock)
+MOST_LOST: Final = COUNTER_SPAN // 2  # beyond this the 16-bit counter's direction is ambiguous
 GAP: Final = Quality.LOST_BEFORE | Quality.COUNT_SUSPECT
 
 Words = NDArray[np.uint16]
@@ -43,7 +43,7 @@ Words = NDArray[np.uint16]
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Describe a scan: analog words first, then a digital one, a rate, the counter last."""
+    """Layout of a scan: analog words first, then a digital one, a rate, the counter last."""
 
     analog: int
     digital: bool = False
@@ -58,9 +58,9 @@ class Layout:
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """Say how the counter may step from one scan to the next.
+    """Allowed steps of the counter from one scan to the next.
 
-    change: by how much a step may differ from the one before it.
+    change: maximum difference of a step from the previous one.
     """
 
     lowest: int
@@ -74,7 +74,7 @@ class Steps:
 
     @property
     def odds(self) -> float:
-        """Return the odds that a random word passes one check."""
+        """Return the probability that a random word passes one check."""
         width = min(self.highest - self.lowest, 2 * self.change) + 1
         return width / COUNTER_SPAN
 
@@ -87,7 +87,7 @@ class Run:
     """Samples without a gap among them.
 
     values: (rows, samples) int32 in the order of the scan; the counter unwrapped (modulo 2**32).
-    lost_before: scans lost before it; None: some, of a number that the stream does not tell.
+    lost_before: scans lost before it; None: an unknown number.
     """
 
     values: NDArray[np.int32]
@@ -97,7 +97,7 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A scan to go on from: count, unwrapped count, and the step to it where that is known."""
+    """Reference scan: count, unwrapped count, and the step to it if known."""
 
     count: int
     total: int
@@ -105,10 +105,10 @@ class Mark:
 
 
 class ScanParser:
-    """Take bytes in any pieces and return runs of good scans; never raises on what they hold.
+    """Parse bytes in any pieces and return runs of valid scans; never raises for invalid bytes.
 
-    echoes: what may stand before the first scan. ``broken``: why the stream must be restarted.
-    ``received``: whole scans since the last (re)start, held and discarded ones among them.
+    echoes: possible echoes before the first scan. ``broken``: why the stream must be restarted.
+    ``received``: whole scans since the last (re)start, including held and discarded ones.
     """
 
     def __init__(self, layout: Layout, steps: Steps, echoes: tuple[bytes, ...] = ()) -> None:
@@ -122,21 +122,21 @@ class ScanParser:
         self._resumed = False
         self._bytes = b""
         self._held = 0
-        self._last: Mark | None = None  # the last scan that was handed on
-        self._mark: Mark | None = None  # what the next scan is compared with
+        self._last: Mark | None = None  # the last returned scan
+        self._mark: Mark | None = None  # the reference of the next scan
         self._gap: int | None = 0  # scans missing before the next run
         self._limits = saturated_limits(layout.mask)
         self._signed_mask = np.int16(np.array(layout.mask, np.uint16).astype(np.int16))
 
     @property
     def held(self) -> int:
-        """Return how many whole scans are held back."""
+        """Return the number of whole scans held back."""
         return self._held
 
     def restart(self, *, clean: bool = False) -> None:
-        """Expect a stream from its beginning; the counter goes on from the last good scan.
+        """Expect a stream from its beginning; the counter continues from the last valid scan.
 
-        clean: the stream before was stopped and read to its end, so that nothing need be lost.
+        clean: the previous stream was stopped and read to its end, so that nothing need be lost.
         """
         self.discarded_bytes += len(self._bytes)
         self._bytes = b""
@@ -148,14 +148,14 @@ class ScanParser:
         self.received = 0
 
     def feed(self, data: bytes) -> list[Run]:
-        """Return the runs that are certain by now, oldest first."""
+        """Return the runs confirmed by these bytes, oldest first."""
         if self.broken is not None:
             self.discarded_bytes += len(data)
             return []
         return self._take(self._bytes + data, GUARD)
 
     def finish(self) -> list[Run]:
-        """Return what was held back, after the stream's end; nothing when it ended broken."""
+        """Return the scans held back at the stream's end; none if it is broken."""
         return [] if self.broken is not None else self._take(self._bytes, 0)
 
     def _take(self, data: bytes, guard: int) -> list[Run]:
@@ -182,7 +182,7 @@ class ScanParser:
         return runs
 
     def _scan(self, words: Words, guard: int, runs: list[Run]) -> int:
-        """Hand on what is certain; return where the scans that are held begin."""
+        """Append confirmed scans to ``runs``; return the index of the first held scan."""
         begin = 0
         if self._mark is None and len(words):
             begin = self._enter(int(counts_of(words[:1, -1])[0]))
@@ -209,9 +209,9 @@ class ScanParser:
         return begin
 
     def _enter(self, count: int) -> int:
-        """Take the first scan of a stream as reference; return how many scans that used up.
+        """Use the first scan of a stream as reference; return the number of consumed scans.
 
-        Nothing proves it whole, so it is discarded, unless it is the very next pulse.
+        It cannot be verified, so it is discarded, unless it is the very next pulse.
         """
         last = self._last
         step = (count - last.count) % COUNTER_SPAN if last is not None else 0
@@ -226,14 +226,14 @@ class ScanParser:
         return 1
 
     def _skip(self, missing: int) -> None:
-        """Leave out a scan whose count is ``missing`` behind the mark, and what was lost before."""
+        """Skip a scan whose count is ``missing`` after the mark, and the scans lost before it."""
         assert self._mark is not None
         count = (self._mark.count + missing) % COUNTER_SPAN
         self._mark = Mark(count, self._mark.total + missing)
         self._gap = missing
 
     def _check(self, words: Words) -> tuple[Words, int | None]:
-        """Return the steps up to each scan, and the first scan whose step cannot be."""
+        """Return the step to each scan, and the index of the first with an impossible step."""
         mark, rule = self._mark, self.steps
         assert mark is not None
         counts = counts_of(words[:, -1])
@@ -263,7 +263,7 @@ class ScanParser:
         runs.append(run)
 
     def _decoded(self, words: Words, steps: Words) -> Run:
-        """Return scans as rows, and take the last one as mark."""
+        """Return scans as rows, and use the last one as mark."""
         layout, mark = self.layout, self._mark
         assert mark is not None
         rows = np.empty((layout.words, len(words)), np.int32)

@@ -1,4 +1,4 @@
-"""The keys of ``[devices.NAME.settings]`` that the DATAQ driver knows."""
+"""The keys of ``[devices.NAME.settings]`` of the DATAQ driver."""
 
 from __future__ import annotations
 

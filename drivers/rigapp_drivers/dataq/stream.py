@@ -1,4 +1,4 @@
-"""Run one stream: drain the port, make Blocks, restart after a mismatch, judge silence."""
+"""Run one stream: drain the port, make Blocks, restart after a mismatch, monitor silence."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ _PULSES = (1 << 32) - 1
 
 @dataclass(slots=True)
 class CountDirection:
-    """Follow direction and index from block to block.
+    """Track direction and index from block to block.
 
-    direction_line, index_line: numbers of the digital lines of B and Z; None: not there.
+    direction_line, index_line: numbers of the digital lines of B and Z; None: not connected.
     """
 
     direction_line: int | None = None
@@ -51,7 +51,7 @@ class CountDirection:
         """Return the count of each scan.
 
         lines: (n,) states of the digital lines as bits. pulses: (n,) pulses of line A so far,
-        modulo 2**32; those of lost scans count in the direction of the scan behind.
+        modulo 2**32; those of lost scans count in the direction of the next scan.
         """
         before = pulses[0] - 1 if self._pulses is None else self._pulses
         steps = np.diff(pulses, prepend=before) & _PULSES
@@ -64,7 +64,7 @@ class CountDirection:
         return count.astype(np.int32)
 
     def _set_to_zero(self, count: Ints, high: NDArray[np.bool_]) -> Ints:
-        """Return what the latest index takes off each count; 0 before the first."""
+        """Return the offset of each count by the latest index; 0 before the first."""
         before = np.concatenate(([self._index_was_high], high[:-1]))
         self._index_was_high = bool(high[-1])
         last_edge = np.maximum.accumulate(np.where(high & ~before, np.arange(count.size), -1))
@@ -73,17 +73,17 @@ class CountDirection:
 
 _log = logging.getLogger(__name__)
 
-_SLICE_S: Final = 0.05  # so late may a stop be seen
-_LATENESS_S: Final = 0.01  # a wait may end so much late on a free computer
-_MOST_SENTENCES: Final = 100  # of one test; the counters go on
-_MOST_RESTARTS: Final = 3  # a line that loses bytes again and again is broken
-_HEALTHY_SCANS: Final = 1000  # without a loss: the restarts before are forgotten
-_STUCK_REVOLUTIONS: Final = 2.0  # a signal of the crank repeats in one; two cannot show one value
+_SLICE_S: Final = 0.05  # maximum delay until a stop is noticed
+_LATENESS_S: Final = 0.01  # normal lateness of a wake-up on an idle computer
+_MOST_SENTENCES: Final = 100  # per test; the counters continue
+_MOST_RESTARTS: Final = 3  # a line with repeated losses is faulty
+_HEALTHY_SCANS: Final = 1000  # scans without a loss that reset the count of restarts
+_STUCK_REVOLUTIONS: Final = 2.0  # crank signals repeat every turn; one constant for two is stuck
 
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """Say how long to wait and for what, in s."""
+    """Time-outs of a stream, in s."""
 
     block_s: float
     silence_s: float
@@ -92,7 +92,7 @@ class Pace:
 
 @dataclass(slots=True)
 class Tally:
-    """Count what went wrong since the start; ``sentences`` keeps the last hundred.
+    """Counts of errors since the start; ``sentences`` holds the last hundred messages.
 
     lost_scans: by the counter (encoder clock) or by the host's clock (internal clock).
     """
@@ -105,11 +105,11 @@ class Tally:
 
 
 class Stream:
-    """Scan as planned; one thread reads, any thread may stop.
+    """Scan by a plan; one thread reads, any thread may stop.
 
-    The port is read when no Block waits, so what is kept here is bounded by one reading of it.
-    rate: as the device tells it once it is set up, by which a restart is known; empty where its
-    firmware does not tell it.
+    The port is read only if no Block is waiting, which bounds the buffer to one read.
+    rate: as reported by the device after the set-up, to detect a restart; empty if its firmware
+    does not report it.
     """
 
     def __init__(self, link: Link, plan: Plan, pace: Pace, rate: str = "") -> None:
@@ -139,7 +139,7 @@ class Stream:
 
     @property
     def running(self) -> bool:
-        """Return whether the stream was started and has neither been stopped nor died."""
+        """Return whether the stream was started and has neither stopped nor failed."""
         return self._running
 
     def start(self) -> None:
@@ -166,7 +166,7 @@ class Stream:
         return self._blocks.popleft() if self._blocks else None
 
     def stop(self) -> None:
-        """Stop scanning and keep what came before; raise ReplyTimeout, DeviceLost."""
+        """Stop scanning and keep the samples received before; raise ReplyTimeout, DeviceLost."""
         if not self._running:
             return
         self._running = False
@@ -187,7 +187,7 @@ class Stream:
         self._silent_s = 0.0
 
     def _end(self) -> None:
-        """Stop the device and take in all that it still sent."""
+        """Stop the device and process its remaining bytes."""
         data = self._halt()
         self._keep(data)
         if self._waiting:
@@ -196,7 +196,7 @@ class Stream:
             self._add(run, time.monotonic_ns())
 
     def _halt(self) -> bytes:
-        """Return what came before the echo of stop; raise DeviceLost without one in two tries."""
+        """Return the bytes before the echo of stop; raise DeviceLost without one in two tries."""
         for _ in range(2):
             data = self._link.stop()
             if data is not None:
@@ -223,7 +223,7 @@ class Stream:
             self._silent_s = 0.0
             self._keep(data)
         else:
-            # Time for which this thread was held up is not the device's silence.
+            # Delays of this thread do not count as silence of the device.
             self._silent_s += min(now - began, wait_s + _LATENESS_S)
             if self._silent_s >= self._patience_s():
                 self._silence(self._silent_s)
@@ -239,7 +239,7 @@ class Stream:
         return self._pace.silence_s + 10.0 / self._plan.sample_rate_Hz
 
     def _silence(self, silent_s: float) -> None:
-        """Find out what silence means: with the encoder clock it may be a standing shaft."""
+        """Check a silent device: with the encoder clock the shaft may be stationary."""
         if self._plan.clock is Clock.ENCODER:
             self._end()
             self._require_settings()
@@ -259,7 +259,7 @@ class Stream:
         )
 
     def _require_settings(self) -> None:
-        """Raise SettingsLost where an idle device has restarted: it would scan something else."""
+        """Raise SettingsLost if an idle device has restarted: it would scan other inputs."""
         if not self._rate or self._link.rate() == self._rate:
             return
         self._running = False
@@ -282,7 +282,7 @@ class Stream:
                 self._bad_restarts = 0
 
     def _restart(self, why: str) -> None:
-        """Stop, flush and start again; raise ProtocolError when that has not helped."""
+        """Stop, flush and start again; raise ProtocolError after too many restarts."""
         self.tally.restarts += 1
         self._bad_restarts += 1
         self._say(say("data were lost or added on the line; the stream was restarted ‹{}›.", why))
@@ -333,9 +333,9 @@ class Stream:
         self._blocks.append(block)
 
     def _lost_by_time(self, host_time_ns: int) -> int:
-        """Return how many scans of the internal clock passed unseen while it was restarted.
+        """Return the number of scans of the internal clock lost during a restart.
 
-        With the encoder clock it is 0, before any scan was good: the index begins afterwards.
+        It is 0 with the encoder clock, and before the first valid scan, where the index begins.
         """
         if self._plan.clock is Clock.ENCODER:
             return 0
@@ -346,7 +346,7 @@ class Stream:
         return max(1, begin - self._next_sample)
 
     def _sign_of_life(self) -> None:
-        """Hand over a Block without samples: the device answers, the shaft stands."""
+        """Append a Block without samples: the device replies, the shaft is stationary."""
         block = Block(
             device=self._link.port.device,
             sequence=self._sequence,
@@ -360,7 +360,7 @@ class Stream:
         self._blocks.append(block)
 
     def _watch_stuck(self, run: Run) -> None:
-        """Name inputs whose converter value is the very same for two turns of the shaft."""
+        """Report inputs whose converter value is constant for two turns of the shaft."""
         travel = int(run.values[-1, -1]) - int(run.values[-1, 0])
         for row in range(self._plan.layout.analog):
             values = run.values[row]

@@ -1,1 +1,1 @@
-"""The Basicmicro RoboClaw by packet serial. Enter by ``driver``."""
+"""The Basicmicro RoboClaw over packet serial. Import ``driver``."""

@@ -35,9 +35,9 @@ from rigapp_drivers.roboclaw.status import generation_of
 
 _MAXIMUM_TIMEOUT: Final = 255  # one byte
 _BOTH_WIDTHS: Final = 16 + 32
-_TWICE: Final = 2  # a command that a firmware may lack; a lost reply must not hide one that it has
+_TWICE: Final = 2  # tries of an optional command; one lost reply must not make it seem missing
 _LONGEST_POWER_OFF_S: Final = 0.1
-"""Longest ramp of a duty that counts as taking the power off: 36 deg of a crank at 60 rpm."""
+"""Longest duty ramp that counts as an immediate power-off: 36 deg of a crank at 60 rpm."""
 _S3_WORDS: Final[Mapping[int, str]] = {
     0x00: say("emergency stop, latching (default)"),
     0x01: say("emergency stop"),
@@ -52,7 +52,7 @@ _S3_WORDS_OLDER: Final[Mapping[int, str]] = {
 
 @dataclass(frozen=True, slots=True)
 class Setup:
-    """Hold how the drive is set for this run; watchdog in units of the wire, qpps in counts/s."""
+    """Set-up of the drive for this run; watchdog in units of the wire, qpps in counts/s."""
 
     request: DriveRequest
     watchdog_units: int
@@ -67,9 +67,9 @@ class Setup:
 
 
 def identify(link: Link, status_width: str) -> Identity:
-    """Return who answers, and set the link's packet layouts; nothing is set in the drive.
+    """Return the drive's identity and set the link's packet layouts; no setting is changed.
 
-    Raises ConnectionFailed when nothing answers, WrongDevice when something else does.
+    Raises ConnectionFailed if nothing answers, WrongDevice if another device does.
     """
     try:
         text = link.version()
@@ -89,7 +89,7 @@ def identify(link: Link, status_width: str) -> Identity:
 
 
 def _generation(link: Link, firmware: str, status_width: str) -> Generation:
-    """Return the packet layouts: from the setting, or from the text and checked by a reply."""
+    """Return the packet layouts: from the setting, or from the text and verified by a reply."""
     announced = generation_of(firmware)
     if status_width != "auto":
         return replace(announced, status_bits=int(status_width))
@@ -110,10 +110,10 @@ def _generation(link: Link, firmware: str, status_width: str) -> Generation:
 
 
 def commission(link: Link, request: DriveRequest, motor: int, combined: bool) -> Setup:
-    """Set the serial time-out and the duty ramp, and read back what the run depends on.
+    """Set the serial time-out and the duty ramp, and read back all settings used in the run.
 
-    combined: use command 73 where the drive knows it. Raises SettingRefused when one of the two is
-    not read back as set, ReplyTimeout, ProtocolError, DeviceLost.
+    combined: use command 73 if the drive has it. Raises SettingRefused if one of the two is not
+    read back as set, ReplyTimeout, ProtocolError, DeviceLost.
     """
     units = _watchdog_units(request)
     _set_watchdog(link, units)
@@ -155,11 +155,11 @@ def commission(link: Link, request: DriveRequest, motor: int, combined: bool) ->
 
 
 def _power_off(link: Link, motor: int) -> dict[str, str]:
-    """Make duty 0 take the power off at once; return how long it takes.
+    """Set the duty ramp so that duty 0 removes the power at once; return its duration as readback.
 
-    Duty commands follow a ramp, which the drive keeps for them (commands 68, 69 and 81). Nothing
-    else of this program uses it, and it is not saved. Raises SettingRefused when the drive keeps a
-    ramp that is too long.
+    Duty commands follow a ramp stored in the drive (commands 68, 69 and 81). This program does not
+    use it otherwise, and does not save it. Raises SettingRefused if the drive keeps a ramp that is
+    too long.
     """
     try:
         acceleration = link.read(Command.DUTY_ACCELERATIONS, _TWICE)[motor - 1]
@@ -191,7 +191,7 @@ def _power_off(link: Link, motor: int) -> dict[str, str]:
 
 
 def _emergency_stop_input(link: Link) -> dict[str, str]:
-    """Return what input S3 does, with an advice where it is no emergency stop."""
+    """Return the function of input S3, with a recommendation if it is no emergency stop."""
     try:
         mode = link.read(Command.PIN_FUNCTIONS, _TWICE)[0]
     except (ReplyTimeout, ProtocolError):
@@ -216,7 +216,7 @@ def _emergency_stop_input(link: Link) -> dict[str, str]:
 
 
 def check_watchdog(request: DriveRequest) -> None:
-    """Raise InvalidRequest for a time-out that no RoboClaw can keep."""
+    """Raise InvalidRequest for a time-out outside the range of a RoboClaw."""
     if not 1 <= _watchdog_units(request) <= _MAXIMUM_TIMEOUT:
         raise InvalidRequest(
             "a watchdog time-out of {:g} s is outside 0.1 to 25.5 s.", request.watchdog_timeout_s
@@ -224,7 +224,7 @@ def check_watchdog(request: DriveRequest) -> None:
 
 
 def _watchdog_units(request: DriveRequest) -> int:
-    """Return the time-out in units of the wire, rounded to the safe side."""
+    """Return the time-out in units of the wire, rounded down to the safe side."""
     return math.floor(request.watchdog_timeout_s / TIMEOUT_UNIT_S + 1e-9)
 
 

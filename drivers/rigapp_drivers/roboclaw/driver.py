@@ -1,8 +1,8 @@
 """Basicmicro RoboClaw as a Spindle: packet serial over USB or a UART.
 
 The drive's serial time-out (command 14) is its watchdog: it is set and read back on every
-connection, and any packet feeds it, so ``status()`` must be called faster than it. There is no
-command that means "emergency stop": that is an input of the drive and a contactor.
+connection, and any packet feeds it, so the period of ``status()`` must be shorter. There is no
+command for an emergency stop: that is an input of the drive and a contactor.
 """
 
 from __future__ import annotations
@@ -90,14 +90,14 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
-_LOOKS: Final = 3  # some milliseconds, in which the duty of a ramp has grown above 0
+_LOOKS: Final = 3  # readings over a few ms, in which a starting ramp's duty grows above 0
 
 
 class RoboClaw:
     """Turn the crank with one motor output of a RoboClaw.
 
-    Every call is serialised by one lock, but ``drive_off`` sends its packet past it and then
-    confirms it.
+    One lock serialises every call; ``drive_off`` bypasses it to send its packet and then verifies
+    the effect.
     """
 
     def __init__(self, name: str, port: str, settings: Mapping[str, Any]) -> None:
@@ -116,9 +116,9 @@ class RoboClaw:
     # --- connection ------------------------------------------------------------------------------
 
     def open(self) -> Identity:
-        """Open the port and identify the drive by its firmware text; nothing is set.
+        """Open the port and identify the drive by its firmware text; no setting is changed.
 
-        Raises ConnectionFailed when nothing answers, WrongDevice when something else does.
+        Raises ConnectionFailed if nothing answers, WrongDevice if another device does.
         """
         with self._lock:
             self._release()
@@ -140,9 +140,9 @@ class RoboClaw:
                 raise
 
     def configure(self, request: DriveRequest) -> Mapping[str, str | float | int]:
-        """Switch the motor off, set the serial time-out, and return what was read back.
+        """Switch the motor off, set the serial time-out, and return the values read back.
 
-        Raises SettingRefused when a value cannot be set or is not read back as set.
+        Raises SettingRefused if a value cannot be set or is not read back as set.
         """
         with self._lock:
             link = self._link()
@@ -161,7 +161,7 @@ class RoboClaw:
         with self._power_off_first():
             link = self._connection
             if link is not None and self._setup is not None:
-                with contextlib.suppress(DeviceError):  # the drive's watchdog stops it anyway
+                with contextlib.suppress(DeviceError):  # the watchdog stops the drive
                     self._off(link)
             self._release()
 
@@ -177,10 +177,10 @@ class RoboClaw:
     # --- motion ----------------------------------------------------------------------------------
 
     def set_speed(self, speed_rev_per_s: float, acceleration_rev_per_s2: float) -> None:
-        """Ramp to a speed in rev/s, signed as the rig; 0 is the controlled stop.
+        """Ramp to a speed in rev/s with the rig's sign; 0 is a controlled stop.
 
-        Raises SettingRefused for a speed that may not or cannot be reached, DeviceFault after the
-        watchdog has fired, until ``reset_fault`` or ``configure``.
+        Raises SettingRefused for a speed that is not allowed or not reachable, DeviceFault after a
+        watchdog stop, until ``reset_fault`` or ``configure``.
         """
         stop_requests = self._link().stop_requests
         with self._lock:
@@ -224,7 +224,7 @@ class RoboClaw:
         return speed
 
     def _turns_towards(self, link: Link, setup: Setup, speed: int) -> bool:
-        """Read the state back after a failed write; the command itself may be repeated safely."""
+        """Read the state back after a failed write; repeating the command is safe."""
         if not setup.combined:
             link.read(Command.STATUS)
             return False
@@ -232,9 +232,9 @@ class RoboClaw:
         return status.setpoints[self._motor - 1] == speed != 0
 
     def drive_off(self) -> None:
-        """Set duty 0: the power is off at once, whatever the drive was doing.
+        """Set duty 0, which removes the motor's power at once in any state.
 
-        Raises ReplyTimeout, ProtocolError or DeviceLost where no duty 0 is read back, whatever was
+        Raises ReplyTimeout, ProtocolError or DeviceLost if duty 0 is not read back, even if it was
         acknowledged.
         """
         with self._power_off_first():
@@ -242,21 +242,21 @@ class RoboClaw:
 
     @contextlib.contextmanager
     def _power_off_first(self) -> Iterator[None]:
-        """Hold the lock; when another call has it, send duty 0 in the middle of that one first."""
+        """Hold the lock; if another call has it, send duty 0 during that call first."""
         link = self._connection
         if link is not None:
             link.request_stop()
         overtaken = not self._lock.acquire(blocking=False)
         if overtaken:
             if link is not None:
-                with contextlib.suppress(DeviceError):  # the confirmed command meets it again
+                with contextlib.suppress(DeviceError):  # the confirmed command raises it again
                     link.overtake(Command.DUTY_M1 + self._motor - 1, 0)
             self._lock.acquire()
         try:
             link = self._connection
             if link is not None:
                 link.hurry.clear()
-                if overtaken:  # its acknowledgement would count as one of the next packet
+                if overtaken:  # its acknowledgement must not be taken for that of the next packet
                     with contextlib.suppress(DeviceError):
                         link.wait_for_quiet()
             yield
@@ -276,10 +276,10 @@ class RoboClaw:
             return False
 
     def reset_fault(self) -> None:
-        """Switch the motor off, forget the watchdog's stop and release a latched emergency stop.
+        """Switch the motor off, clear a watchdog stop and release a latched emergency stop.
 
-        The drive is asked for a release only when it reports the stop: not every drive has that
-        command. Raises DeviceFault with what to do when a fault of the drive stays.
+        The release is sent only if the drive reports the stop: not every drive has that command.
+        Raises DeviceFault with the remedy if a fault of the drive persists.
         """
         with self._lock:
             link = self._link()
@@ -302,7 +302,7 @@ class RoboClaw:
         return describe_status(state, link.generation.status_bits)
 
     def _release_stop(self, link: Link) -> str:
-        """Ask the drive to release its emergency stop; return what to do when it stays."""
+        """Send the release of the emergency stop; return the remedy if it stays latched."""
         try:
             link.write(Command.RESET_EMERGENCY_STOP)
             (lock,) = link.read(Command.EMERGENCY_STOP_LOCK)
@@ -319,10 +319,11 @@ class RoboClaw:
     # --- reading ---------------------------------------------------------------------------------
 
     def status(self) -> DriveStatus:
-        """Read the state; feeds the watchdog. Speed, count and set-point are signed as the rig.
+        """Return the state; this feeds the watchdog.
 
-        One packet with command 73, else four, and one more in every eighth call. Raises
-        SettingsLost when the drive has restarted, ReplyTimeout, ProtocolError.
+        Speed, count and set-point have the rig's sign. Needs one packet with command 73, else four,
+        and one more in every eighth call. Raises SettingsLost after a restart of the drive,
+        ReplyTimeout, ProtocolError.
         """
         with self._lock:
             link, setup = self._link(), self._configured()
@@ -336,13 +337,13 @@ class RoboClaw:
                 raise SettingsLost.at(
                     self, "the drive has restarted and its motor is off; check its supply."
                 )
-            # A drive that has restarted has no set-point either; nor has a ramp as it begins.
+            # No set-point after a restart of the drive, but also at the beginning of a ramp.
             if reader.watchdog_is_due or (self._target and readings.setpoint == 0):
                 self._check_watchdog(link, setup)
             return self._drive_status(link, setup.request, readings)
 
     def counters(self) -> Mapping[str, int]:
-        """Return what was counted on the line since it was opened; no lock, no question."""
+        """Return the counters of the line since it was opened; no lock, no communication."""
         serial, link = self._serial, self._connection
         if serial is None or link is None:
             return {}
@@ -378,10 +379,9 @@ class RoboClaw:
         )
 
     def _judge_silence(self, link: Link, setup: Setup) -> None:
-        """Take note that the watchdog has fired, and make the stop certain.
+        """Record a watchdog stop, and switch the motor off.
 
-        Whether it has is told by the drive, which was there: this computer's clock says only when
-        to ask.
+        The drive's state shows whether it stopped; this computer's clock only triggers the check.
         """
         silence_s = (time.monotonic_ns() - link.last_sent_ns) * 1e-9
         if self._target is None or silence_s <= setup.watchdog_s:
@@ -393,15 +393,15 @@ class RoboClaw:
         self._silence_s = silence_s
 
     def _still_drives(self, link: Link, tries: int | None = None) -> bool:
-        """Return whether the motor has power; a ramp that has just begun may show none yet."""
+        """Return whether the motor has power; a ramp that has just begun may still show duty 0."""
         return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_LOOKS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
-        """Read the serial time-out; with another one take the power off, raise SettingsLost."""
+        """Read the serial time-out; if it differs, remove the power and raise SettingsLost."""
         (units,) = link.read(Command.GET_TIMEOUT)
         if units == setup.watchdog_units:
             return
-        with contextlib.suppress(DeviceError):  # the caller's stop meets the error again
+        with contextlib.suppress(DeviceError):  # the caller's stop raises the error again
             self._off(link)
         self._setup = None
         raise settings_lost(self, units * TIMEOUT_UNIT_S, setup.watchdog_s)

@@ -1,4 +1,4 @@
-"""Exchange packets with a RoboClaw: flush, send, wait, check, try again, count what went wrong."""
+"""Exchange packets with a RoboClaw: flush, send, wait, check, retry, count errors."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from rigapp_drivers.roboclaw.protocol import (
 
 TRIES: Final = 3  # one disturbed packet must not stop a test; three in a row are a fault
 STANDING_TRIES: Final = (1, 2, 4, 6, 8, 10)
-"""How many time-outs each try waits while nothing is to turn: a busy computer, or a busy USB, may
-be late by the same time again and again, so that more of the same wait would not help."""
+"""Wait of each try in time-outs while nothing is to turn: a busy computer or USB may cause the same
+delay repeatedly, so that retries with the same wait would not help."""
 LATENCY_MARGIN: Final = 1.5
-"""The first try waits for so many latencies, once answers were late."""
-QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive forgets a packet
+"""Wait of the first try in measured latencies, once replies were late."""
+QUIET_S: Final = 0.012  # longer than the 10 ms after which the drive discards a packet
 LONGEST_REPLY: Final = 58  # bytes, of command 73
 BITS_PER_BYTE: Final = 10
 FLUSH_LIMIT: Final = 65536
@@ -47,18 +47,18 @@ _log = logging.getLogger(__name__)
 class Link:
     """Send packets to one address and return checked replies.
 
-    Not thread-safe but for ``request_stop`` and ``overtake``: the driver holds its lock around
-    every other call. ``hurry`` ends the tries of a call under way, so that a stop need not wait for
-    them. ``stop_requests`` counts; a write is not sent when it has changed since its caller began.
+    Only ``request_stop`` and ``overtake`` are thread-safe: the driver holds its lock around every
+    other call. ``hurry`` ends the tries of a pending call, so that a stop need not wait for them.
+    ``stop_requests`` counts stops; a write is not sent if it has changed since its caller began.
 
-    ``standing``: nothing is commanded to turn, so that a question may wait for its answer longer.
+    ``standing``: no motion is commanded, so that a request may wait longer for its reply.
 
-    An answer names its question by its checksum alone, an acknowledgement not at all. So after a
-    try that was repeated in silence the answers to the others are let pass, while nothing turns;
-    when they come, the line is slow, and from then on a first try waits for its latency.
+    A reply identifies its request only by the checksum, an acknowledgement not at all. So after a
+    request was repeated without a reply, the replies to the other tries are discarded while nothing
+    turns; if there are any, the line is slow, and the first try then waits for the latency.
 
-    What the line spoils is counted (``crc_errors``, ``retries``, ``late_bytes``), and a packet that
-    came through only when repeated goes to the log: neither says anything of the drive.
+    Line errors are counted (``crc_errors``, ``retries``, ``late_bytes``), and a packet that needed
+    retries is logged: neither indicates a fault of the drive.
     """
 
     def __init__(
@@ -83,26 +83,26 @@ class Link:
 
     @property
     def late_words(self) -> str:
-        """Return what to do about answers that are late, "" where none was."""
+        """Return the advice on late replies, "" if none was late."""
         return self._questions.words()
 
     def request_stop(self) -> None:
-        """End the tries of a call under way, and forbid the writes that were begun before."""
+        """End the tries of a pending call, and block writes that began before."""
         with self._sending:
             self.stop_requests += 1
             self.hurry.set()
 
     def overtake(self, command: int, *values: int) -> None:
-        """Send a write in the middle of a call under way; nobody waits for the answer."""
+        """Send a write during a pending call without waiting for the acknowledgement."""
         packet = write_packet(self.address, command, *values, generation=self.generation)
         with self._sending:
             self._serial.write(packet)
 
     def read(self, command: int, tries: int | None = None) -> tuple[int, ...]:
-        """Return the numbers of a reply; tries: None for as many as the motion allows.
+        """Return the numbers of a reply; tries: None for the default, which depends on motion.
 
-        Raises ReplyTimeout when nothing came, ProtocolError when what came was wrong every time,
-        DeviceLost when the port broke.
+        Raises ReplyTimeout without a reply, ProtocolError if all replies were invalid, DeviceLost
+        if the port failed.
         """
 
         def exchange(time_outs: float) -> tuple[int, ...] | Rejected:
@@ -114,7 +114,7 @@ class Link:
         return self._repeat(command, exchange, self._waits(TRIES if tries is None else tries))
 
     def version(self) -> str:
-        """Return the firmware text, the first that a drive is asked for; errors as ``read``."""
+        """Return the firmware text, the first read from a drive; errors as ``read``."""
 
         def exchange(time_outs: float) -> str | Rejected:
             return parse_version(self.address, self._ask(Command.VERSION, time_outs))
@@ -131,11 +131,11 @@ class Link:
     ) -> None:
         """Send a write until it is acknowledged by FF.
 
-        in_effect: reads the drive's state back after a failed try; when it tells that the write has
-        taken effect, nothing is sent again. stop_requests: when the caller began; None for a write
-        that a stop does not forbid. read_back: only ``in_effect`` counts, whatever was
-        acknowledged: an FF has no number, and may be a late one of an earlier write. Errors as
-        ``read``, and DeviceFault when a stop came.
+        in_effect: reads the drive's state back after a failed try; if it returns True, nothing is
+        sent again. stop_requests: count when the caller began; None for a write that a stop does
+        not block. read_back: only ``in_effect`` counts, not the acknowledgement: an FF has no
+        number and may be a late one of an earlier write. Errors as ``read``, and DeviceFault after
+        a stop.
         """
         packet = write_packet(self.address, command, *values, generation=self.generation)
         self.write_packet(command, packet, in_effect, stop_requests, read_back)
@@ -177,7 +177,7 @@ class Link:
         raise self._failure(command, failures)
 
     def _acknowledgement(self, time_out_s: float, time_outs: float) -> bytes:
-        """Return the first byte that comes, b"" when none does; a stop waits one time-out only."""
+        """Return the first byte received, b"" if none; a stop waits for one time-out only."""
         deadline = time.monotonic() + time_outs * time_out_s
         while True:
             left = deadline - time.monotonic()
@@ -186,9 +186,9 @@ class Link:
                 return answer
 
     def _waits(self, tries: int) -> tuple[float, ...]:
-        """Return how many time-outs each try waits: more at first on a line that is slow.
+        """Return the wait of each try in time-outs: longer at first on a slow line.
 
-        While the crank may turn they are as many in all as there are tries.
+        While the crank may turn their sum equals the number of tries.
         """
         first = LATENCY_MARGIN * self._questions.late_s / self._timeout_s
         if first <= 1.0:
@@ -199,10 +199,10 @@ class Link:
         return (first,) if tries == 1 else (first, max(1.0, tries - first))
 
     def _outwait(self, first_s: float) -> None:
-        """Let answers to tries that were repeated too early pass, and measure how late they are.
+        """Discard late replies to tries that were repeated too early, and measure their latency.
 
-        first_s: when the first try was sent. Answers come in the order of the tries, so the one
-        that was taken is the first one's where others follow; where none does, it was lost.
+        first_s: time of the first try. Replies arrive in the order of the tries, so the accepted
+        one belongs to the first try if others follow; if none does, the first reply was lost.
         """
         if not self.standing:
             return
@@ -230,7 +230,7 @@ class Link:
             if attempt:
                 self.retries += 1
             if failures and failures[-1]:
-                # Where nothing came the line was quiet, and a reply that is late may come yet.
+                # Without any bytes the line was quiet, and a late reply may still arrive.
                 self.wait_for_quiet()
             result = exchange(time_outs)
             if not isinstance(result, Rejected):
@@ -298,7 +298,7 @@ class Link:
         return raw
 
     def wait_for_quiet(self) -> None:
-        """Wait until the line is silent for longer than the drive's own packet time-out."""
+        """Wait until the line is silent for longer than the drive's packet time-out."""
         deadline = time.monotonic() + self._reply_timeout(LONGEST_REPLY)
         while late := self._serial.read_some(LONGEST_REPLY, QUIET_S):
             self.late_bytes += len(late)

@@ -1,10 +1,10 @@
-"""RoboClaw packet serial: bytes to meaning and back, without any input or output.
+"""RoboClaw packet serial: encode and decode packets, without any input or output.
 
 A write is ``address command data.. crc`` and is acknowledged by one byte FF. A read is
 ``address command`` alone; its reply is ``data.. crc``, where the CRC covers address, command and
-data. Numbers are big-endian. The command number alone tells both sides what follows.
+data. Numbers are big-endian. The command number alone determines the data that follow.
 
-Source: RoboClaw user manual (packet serial); reply variants as observed with the maker's library.
+Source: RoboClaw user manual (packet serial); reply variants from the manufacturer's library.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ TEMPERATURE_UNIT_C: Final = 0.1
 
 
 class Command(enum.IntEnum):
-    """Name the commands in use; M1 and M2 forms are separate commands."""
+    """Commands in use; M1 and M2 forms are separate commands."""
 
     SET_TIMEOUT = 14
     GET_TIMEOUT = 15
@@ -91,7 +91,7 @@ class Command(enum.IntEnum):
 
 
 class EmergencyStopLock(enum.IntEnum):
-    """Tell how an emergency stop is released after its input is gone (commands 201, 202)."""
+    """Release of an emergency stop after its input is inactive (commands 201, 202)."""
 
     HARDWARE = 0x00
     AUTOMATIC = 0x55
@@ -100,11 +100,11 @@ class EmergencyStopLock(enum.IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Generation:
-    """Tell the packet layouts that vary with the firmware.
+    """Packet layouts that depend on the firmware.
 
     status_bits: width of the reply to command 90, 16 or 32.
     pin_modes: bytes of commands 74 and 75, 3 or 5.
-    voltage_offset: whether commands 57 and 59 carry the automatic-offset byte.
+    voltage_offset: whether commands 57 and 59 have the automatic-offset byte.
     """
 
     status_bits: int = 32
@@ -117,7 +117,7 @@ OLDER: Final = Generation(status_bits=16, pin_modes=3, voltage_offset=False)
 
 
 def _of_both(formats: Mapping[int, str]) -> dict[int, str]:
-    """Return formats of commands of motor 1 with those of motor 2, whose numbers are the next."""
+    """Return formats of motor 1's commands, and of motor 2's, whose numbers are one higher."""
     return {number + motor: layout for number, layout in formats.items() for motor in (0, 1)}
 
 
@@ -181,7 +181,7 @@ def write_format(command: int, generation: Generation = NEWER) -> str | None:
 
 
 def reply_format(command: int, generation: Generation = NEWER) -> str | None:
-    """Return the struct format of a read's reply; None when it is no read, or text (21)."""
+    """Return the struct format of a read's reply; None if it is no read, or text (21)."""
     if command == Command.STATUS:
         return ">I" if generation.status_bits == 32 else ">H"
     if command == Command.MAIN_LIMITS:
@@ -194,7 +194,7 @@ def reply_format(command: int, generation: Generation = NEWER) -> str | None:
 def write_packet(address: int, command: int, *values: int, generation: Generation = NEWER) -> bytes:
     """Return a write packet with its CRC.
 
-    Raises ValueError when the command is no write or a value does not fit its field.
+    Raises ValueError if the command is no write or a value does not fit its field.
     """
     layout = write_format(command, generation)
     if layout is None:
@@ -213,14 +213,14 @@ def read_packet(address: int, command: int) -> bytes:
 
 @dataclass(frozen=True, slots=True)
 class Rejected:
-    """Tell why reply bytes are not a reply: ``kind`` is "short", "crc" or "text"."""
+    """Reason why bytes are no valid reply: ``kind`` is "short", "crc" or "text"."""
 
     kind: str
     sentence: str
 
 
 def missing_bytes(command: int, raw: bytes, generation: Generation = NEWER) -> int:
-    """Return how many more bytes the reply to a read needs at least; 0 when it is complete."""
+    """Return the minimum number of missing bytes of a reply; 0 if it is complete."""
     if command == Command.VERSION:
         end = raw.find(b"\x00", 0, VERSION_LIMIT)
         if end < 0:
@@ -245,7 +245,7 @@ def _checked(address: int, command: int, raw: bytes) -> bytes | Rejected:
 def parse_values(
     address: int, command: int, raw: bytes, generation: Generation = NEWER
 ) -> tuple[int, ...] | Rejected:
-    """Return the numbers of a reply in wire order, or why it is none. Any bytes are allowed."""
+    """Return the numbers of a reply in wire order, or why it is invalid. Accepts any bytes."""
     layout = reply_format(command, generation)
     if layout is None:
         return Rejected("short", say("command {} has no reply of numbers", command))
@@ -257,7 +257,7 @@ def parse_values(
 
 
 def parse_version(address: int, raw: bytes) -> str | Rejected:
-    """Return the firmware text of command 21 without its LF NUL, or why it is none."""
+    """Return the firmware text of command 21 without its LF NUL, or why it is invalid."""
     end = raw.find(b"\x00", 0, VERSION_LIMIT)
     if end < 0 or len(raw) != end + 1 + CRC_LENGTH:
         return Rejected("short", say("{} bytes without the end of a text", len(raw)))
@@ -271,7 +271,7 @@ def parse_version(address: int, raw: bytes) -> str | Rejected:
 
 
 def count_of(values: tuple[int, ...]) -> int:
-    """Return the count of commands 16 and 17 (two's complement); flags of wraps come behind it."""
+    """Return the count of commands 16 and 17 (two's complement); wrap flags follow it."""
     return values[0]
 
 
@@ -283,7 +283,7 @@ def speed_of(values: tuple[int, ...]) -> int:
 
 @dataclass(frozen=True, slots=True)
 class VelocityPid:
-    """Hold the velocity loop of a motor; qpps is the speed in counts/s at full duty."""
+    """Velocity loop of a motor; qpps is the speed in counts/s at full duty."""
 
     p: float
     i: float
@@ -299,7 +299,7 @@ def velocity_pid_of(values: tuple[int, ...]) -> VelocityPid:
 
 @dataclass(frozen=True, slots=True)
 class CombinedStatus:
-    """Hold the reply to command 73; pairs are (motor 1, motor 2), raw units of the wire."""
+    """Reply to command 73; pairs are (motor 1, motor 2), raw units of the wire."""
 
     tick: int
     state: int
@@ -328,8 +328,8 @@ _HEAD: Final = 2  # address and command
 class Decoder:
     """Decode both directions of one line; implements ``api.WireDecoder``.
 
-    A reply does not say what it answers: it is read as that to the latest question. The older
-    firmware's layout is tried where the newer one's checksum is wrong.
+    A reply does not identify its request: it is decoded as the reply to the latest one. If the
+    checksum is wrong for the newer firmware's layout, the older one's is tried.
     """
 
     def __init__(self) -> None:
@@ -337,7 +337,7 @@ class Decoder:
         self._reply = b""
 
     def sent(self, data: bytes) -> Iterator[str]:
-        """Yield what is asked: the command with its numbers."""
+        """Yield the request: the command with its numbers."""
         if self._reply:
             yield "(reply cut short: {})".format(self._reply.hex(" "))
         self._reply = b""
@@ -349,7 +349,7 @@ class Decoder:
         yield f"{_name(data[1])} {_values(data)}".rstrip()
 
     def received(self, data: bytes) -> Iterator[str]:
-        """Yield the reply when it is whole."""
+        """Yield the complete reply."""
         self._reply += data
         if self._write:
             good = self._reply == ACKNOWLEDGE

@@ -10,14 +10,14 @@ from rigapp_drivers.roboclaw.link import Link
 from rigapp_drivers.roboclaw.protocol import Command, combined_status_of, count_of, speed_of
 from rigapp_drivers.spindles import WATCHDOG_PERIOD
 
-SLOW_PERIOD: Final = 8  # supply and temperature change slowly; every eighth status asks
+SLOW_PERIOD: Final = 8  # supply and temperature change slowly; read in every eighth status
 _TICK_LIMIT: Final = 1 << 32
 _TICK_NEAR_WRAP: Final = 1_000_000  # ms before the clock wraps, far longer than between two calls
 
 
 @dataclass(frozen=True, slots=True)
 class Readings:
-    """Hold one status in the drive's units and sense; None where the drive does not tell it."""
+    """One status in the drive's units and direction; None if not reported by the drive."""
 
     state: int
     count: int
@@ -31,7 +31,7 @@ class Readings:
 
 
 def can_combine(link: Link) -> bool:
-    """Ask the drive once whether it knows command 73."""
+    """Return whether the drive has command 73, by one read."""
     try:
         link.read(Command.COMBINED_STATUS, tries=2)
     except (ReplyTimeout, ProtocolError):
@@ -40,7 +40,7 @@ def can_combine(link: Link) -> bool:
 
 
 class StatusReader:
-    """Read one motor: command 73 alone, or four packets and now and then two slow ones."""
+    """Read one motor: by command 73 alone, or by four packets and periodically two slow ones."""
 
     def __init__(self, link: Link, motor: int, combined: bool) -> None:
         self._link = link
@@ -58,7 +58,7 @@ class StatusReader:
 
     @property
     def watchdog_is_due(self) -> bool:
-        """Return whether it is time to read the serial time-out back again."""
+        """Return whether the readback of the serial time-out is due."""
         return self._polls % WATCHDOG_PERIOD == 0
 
     def has_restarted(self, readings: Readings) -> bool:

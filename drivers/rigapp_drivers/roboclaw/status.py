@@ -2,7 +2,7 @@
 
 The newer firmware sends 32 bits, errors below and warnings above bit 16; the older one sends 16
 bits with another map. An error bit without a name is still a fault. Source: RoboClaw user manual
-(read status) and the maker's library, which differ from bit 14 and from bit 24 upward.
+(read status) and the manufacturer's library, which differ from bit 14 and from bit 24 upward.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ _FIRST_32_BIT: Final = (4, 2)
 
 @dataclass(frozen=True, slots=True)
 class StatusWords:
-    """Hold a status word in words."""
+    """Faults and warnings of a status word, in words."""
 
     emergency_stop: bool
     faults: tuple[str, ...]
@@ -108,10 +108,10 @@ def describe_status(state: int, status_bits: int) -> StatusWords:
 
 
 def generation_of(firmware: str) -> Generation:
-    """Return the packet layouts that a firmware text announces.
+    """Return the packet layouts for a firmware text.
 
-    Firmware from 4.2 on is taken as the newer generation, an unreadable text too: the driver checks
-    the width against the CRC of a first reply, and a setting overrides both.
+    Firmware from 4.2, or with an unreadable text, is assumed to be the newer generation: the driver
+    verifies the width by the CRC of a first reply, and a setting overrides both.
     """
     version = _VERSION.search(firmware)
     if version is None:

@@ -21,15 +21,14 @@ _GARBLED: Final = b"t1x5zz\r"
 
 
 class Cia402Simulator:
-    """Answer as an EPOS4, or another CiA 402 drive, does; see ``SimulatedDrive``.
+    """Respond as an EPOS4 or another CiA 402 drive does; see ``SimulatedDrive``.
 
-    node_id and bit_rate: as set on the drive; at another bit rate of the adapter it hears nothing.
-    counts_per_revolution: of the motor's encoder after quadrature, a multiple of 4 (object 3010
-    holds a quarter of it). velocity_unit: object 60A9 at power-on. tpdo1_period_s: send TPDO1 so
-    often besides on every change; None is the EPOS4's own behaviour. vendor: a value other than
-    maxon's makes a drive with the objects of CiA 301 and CiA 402 only. lacking: objects that it has
-    not, though others have. faults: ``Fault`` records or
-    tables of their fields.
+    node_id and bit_rate: as set on the drive; it receives nothing at another bit rate of the
+    adapter. counts_per_revolution: of the motor's encoder after quadrature, a multiple of 4 (object
+    3010 holds a quarter of it). velocity_unit: object 60A9 at power-on. tpdo1_period_s: period of
+    TPDO1 in addition to sending on change; None is the EPOS4's behaviour. vendor: a value other
+    than maxon's makes a drive with the objects of CiA 301 and CiA 402 only. lacking: missing
+    objects. faults: ``Fault`` records or tables of their fields.
     """
 
     kinds = Cia402Fault
@@ -69,7 +68,7 @@ class Cia402Simulator:
         )
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take lines from the host and return the lines that they cause."""
+        """Process lines from the host and return the replies."""
         time_s = self._plan.tick(now_s)
         frames, answers = self._adapter.receive(data)
         for frame in frames:
@@ -78,16 +77,16 @@ class Cia402Simulator:
         return answers + self._advance(time_s)
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
-        """Advance the ramps, judge heartbeats and faults, return what drives the motor."""
+        """Advance the ramps, check heartbeats and faults, return the motor command."""
         self.node.tick(self._plan.tick(now_s))
         return self.node.advance(elapsed_s)
 
     def observe(self, state: MotorState) -> None:
-        """Take the motor's state for later replies."""
+        """Set the motor's state for later replies."""
         self.node.observe(state)
 
     def emit(self, now_s: float) -> bytes:
-        """Return the lines that the drive causes by itself: heartbeat, TPDO, emergency."""
+        """Return the unsolicited lines of the drive: heartbeat, TPDO, emergency."""
         return self._advance(self._plan.tick(now_s))
 
     @property

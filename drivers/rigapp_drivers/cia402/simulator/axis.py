@@ -29,15 +29,15 @@ _BITS: Final = {
 _POWERED: Final = (State.ENABLED, State.QUICK_STOP, State.FAULT_REACTION)
 _VOLTAGE_BIT: Final = 1 << 4
 _REMOTE_BIT: Final = 1 << 9
-_STANDSTILL_REV_PER_S: Final = 0.01  # 0.6 rpm: below, the drive says that it stands
-_WINDOW: Final = 0.02  # of the target: within, the drive says that it is reached
+_STANDSTILL_REV_PER_S: Final = 0.01  # 0.6 rpm: below, the drive reports standstill
+_WINDOW: Final = 0.02  # relative; within it the drive reports the target as reached
 _MODES: Final = (1, 3, 6, 8, 9, 10)
 
 
 class Axis402:
-    """Obey control words, ramp a set-point in rev/s, and show both in the dictionary.
+    """Execute control words, ramp a set-point in rev/s, and update the object dictionary.
 
-    acknowledge is called when a rising fault-reset bit was taken and nothing stands in its way.
+    acknowledge is called for a rising fault-reset bit; it returns whether the fault can be reset.
     """
 
     def __init__(
@@ -70,7 +70,7 @@ class Axis402:
     # --- commands --------------------------------------------------------------------------------
 
     def control(self, word: int) -> None:
-        """Obey a control word (6040)."""
+        """Execute a control word (6040)."""
         rising_reset = word & 0x80 and not self._control & 0x80
         self._control = word
         if rising_reset and self._acknowledge() and self.state is State.FAULT:
@@ -120,7 +120,7 @@ class Axis402:
         self._after_stop = None
 
     def stop_by_option(self, option: int) -> None:
-        """Do what a quick-stop option code (605A) says."""
+        """Execute a quick-stop option code (605A)."""
         if option == 0:
             self.power_off(State.SWITCH_ON_DISABLED)
             return
@@ -128,7 +128,7 @@ class Axis402:
         self._after_stop = State.SWITCH_ON_DISABLED if option in (1, 2, 3, 4) else None
 
     def fail(self) -> None:
-        """Enter the fault reaction (605E), or fault at once when the motor has no power."""
+        """Enter the fault reaction (605E), or fault at once if the motor has no power."""
         if self.state in _POWERED and self._objects.number(0x605E) != 0:
             self.state = State.FAULT_REACTION
             self._after_stop = State.FAULT
@@ -141,19 +141,19 @@ class Axis402:
         return self.state in _POWERED
 
     def turn_by_itself(self, rpm: float) -> None:
-        """Turn as nobody has commanded."""
+        """Turn without a command."""
         self._objects.set(0x6061, PROFILE_VELOCITY)
         self._objects.set(0x60FF, round(rpm / 60.0 / self._unit))
         self.state, self._after_stop = State.ENABLED, None
 
     def power_off(self, state: State) -> None:
-        """Take the power off the motor and enter a state without power."""
+        """Remove the motor's power and enter a state without power."""
         self.state = state
         self.setpoint = 0.0
         self._after_stop = None
 
     def set_torque_off(self, active: bool) -> None:
-        """Take the state of the safe-torque-off inputs."""
+        """Set the state of the safe-torque-off inputs."""
         self.torque_off = active
         if active and self.state not in (State.FAULT, State.SWITCH_ON_DISABLED, State.NOT_READY):
             self.power_off(State.SWITCH_ON_DISABLED)
@@ -172,7 +172,7 @@ class Axis402:
     # --- motion ----------------------------------------------------------------------------------
 
     def advance(self, elapsed_s: float) -> None:
-        """Move the set-point along its ramp, and the motor with it when there is no plant."""
+        """Move the set-point along its ramp, and the motor with it if there is no plant."""
         if self.state in _POWERED:
             self._ramp(elapsed_s)
             if self.setpoint == 0.0 and self._after_stop is not None:
@@ -192,7 +192,7 @@ class Axis402:
         self.setpoint += max(-step, min(step, goal - self.setpoint))
 
     def _goal(self) -> tuple[float, bool]:
-        """Return the speed to ramp to, and whether it is limited."""
+        """Return the target speed of the ramp, and whether it is limited."""
         running = self.state is State.ENABLED and self._after_stop is None
         if not running or self._halted or self._objects.number(0x6061) != PROFILE_VELOCITY:
             return 0.0, False
@@ -206,23 +206,23 @@ class Axis402:
 
     @property
     def _unit(self) -> float:
-        """Return rev/s per step; with a unit of its maker's, which 60A9 cannot say, whole rpm."""
+        """Return rev/s per step; whole rpm for a manufacturer's unit that 60A9 cannot express."""
         return velocity_unit_rev_per_s(self._objects.number(0x60A9)) or 1.0 / 60.0
 
     def observe(self, state: MotorState) -> None:
-        """Take the plant's state."""
+        """Set the plant's state."""
         self._observed = True
         self._speed = state.speed_count_per_s / self._counts
         self._position = float(state.position_count)
 
     def command(self) -> DriveCommand:
-        """Return what drives the motor."""
+        """Return the motor command."""
         if self.state in _POWERED:
             return DriveCommand(DriveMode.VELOCITY, speed_count_per_s=self.setpoint * self._counts)
         return DriveCommand(DriveMode.OFF)
 
     def status_word(self, *, no_power: bool = False) -> int:
-        """Return the status word (6041); no_power: that of a drive that says it has none."""
+        """Return the status word (6041); no_power: that of a drive without power."""
         goal, limited = self._goal()
         state = State.SWITCH_ON_DISABLED if no_power else self.state
         word = _BITS[state] | _VOLTAGE_BIT | _REMOTE_BIT

@@ -1,6 +1,6 @@
 """A simulated CANopen node with a drive: NMT, heartbeats both ways, emergencies, SDO, PDO.
 
-Frames in, frames out, in the time of the wire that the fault plan keeps.
+Frames in, frames out, in the time of the wire, which the fault plan holds.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ DOWNLOAD, _UPLOAD, _UPLOAD_SEGMENT, _ABORT = 1, 2, 3, 4
 
 
 class SdoServer:
-    """Answer the requests of one client, 8 bytes each."""
+    """Reply to the requests of one client, 8 bytes each."""
 
     def __init__(self, objects: Dictionary) -> None:
         self._objects = objects
@@ -53,9 +53,9 @@ class SdoServer:
     def answer(
         self, request: bytes, forced_abort: int | None = None, *, obey: bool = True
     ) -> bytes | None:
-        """Return the reply, None where the protocol has none.
+        """Return the reply, None if the protocol has none.
 
-        forced_abort: a fault to show. obey: whether a download that is confirmed is carried out.
+        forced_abort: code of a simulated fault. obey: whether a confirmed download is executed.
         """
         if len(request) != 8:
             return None
@@ -126,35 +126,35 @@ _REGISTERS: Final = {0x2: 0x02, 0x3: 0x04, 0x4: 0x08, 0x5: 0x04, 0x6: 0x20, 0x7:
 
 
 class Cia402Fault(enum.StrEnum):
-    """Name a fault; its ``value`` means what stands behind it."""
+    """Kinds of fault; the comment gives the meaning of ``value``."""
 
-    SILENT_NODE = "silent_node"  # the node neither hears nor says anything
+    SILENT_NODE = "silent_node"  # the node neither receives nor sends
     LOST_HEARTBEAT = "lost_heartbeat"  # only the heartbeat is missing
     EMERGENCY = "emergency"  # error code: message, error register, fault state
     BUS_OFF = "bus_off"  # off the bus until end_s, then emergency 81FD
     SDO_ABORT = "sdo_abort"  # abort code
     NO_SDO_REPLY = "no_sdo_reply"
-    IGNORED_COMMAND = "ignored_command"  # the write is confirmed and not obeyed
-    FALSE_READBACK = "false_readback"  # it says that the motor has no power, whatever it does
-    FALSE_STANDSTILL = "false_standstill"  # it says that the motor stands: its encoder is dead
-    TURNS_BY_ITSELF = "turns_by_itself"  # rpm that nobody has commanded
-    SLOW_COMMAND = "slow_command"  # s until a download is confirmed; it is obeyed at once
-    LATE_TPDO = "late_tpdo"  # s of delay
+    IGNORED_COMMAND = "ignored_command"  # the write is confirmed but not executed
+    FALSE_READBACK = "false_readback"  # the drive always reports a motor without power
+    FALSE_STANDSTILL = "false_standstill"  # the drive reports standstill: its encoder is dead
+    TURNS_BY_ITSELF = "turns_by_itself"  # speed without a command, rpm
+    SLOW_COMMAND = "slow_command"  # s until a download is confirmed; it is executed at once
+    LATE_TPDO = "late_tpdo"  # delay in s
     NO_TPDO = "no_tpdo"
-    BOOT_UP = "boot_up"  # s until the node says its boot-up message
+    BOOT_UP = "boot_up"  # s until the node sends its boot-up message
     RESTART_UNSEEN = "restart_unseen"  # no boot-up message; 1017 is kept, 1016 is not
     WATCHDOG_LOST = "watchdog_lost"  # 1016:1 is 0
     TORQUE_OFF = "torque_off"  # the safe-torque-off inputs are open
-    GARBLED_LINE = "garbled_line"  # the adapter sends a line that is none
+    GARBLED_LINE = "garbled_line"  # the adapter sends an invalid line
 
 
 @dataclass(frozen=True, slots=True)
 class NodeOptions:
-    """Describe the simulated drive.
+    """Options of the simulated drive.
 
-    velocity_unit: 60A9 at power-on. tpdo1_period_s: send TPDO1 so often besides on change.
-    vendor: other than maxon's, the node has no objects 2xxx and 3xxx. lacking: more that it
-    has not.
+    velocity_unit: 60A9 at power-on. tpdo1_period_s: period of TPDO1 in addition to sending on
+    change. vendor: if not maxon's, the node has no objects 2xxx and 3xxx. lacking: further missing
+    objects.
     """
 
     node_id: int
@@ -167,7 +167,7 @@ class NodeOptions:
 
 
 class Cia402Node:
-    """Keep one node; ``take`` frames, ``tick`` the time, ``collect`` what is due on the bus."""
+    """One node; ``take`` frames, ``tick`` the time, ``collect`` the frames due on the bus."""
 
     def __init__(self, options: NodeOptions, plan: FaultPlan) -> None:
         self._options = options
@@ -222,7 +222,7 @@ class Cia402Node:
             entries[0x3202, 1].read = lambda: 0 if self.axis.torque_off else 3
 
     def power_on(self, time_s: float, silence_s: float) -> None:
-        """Begin anew: default parameters, no power on the motor, a boot-up message."""
+        """Restart: default parameters, no power on the motor, a boot-up message."""
         self._build()
         self._queue.clear()
         self._silent_until_s = time_s + silence_s
@@ -230,7 +230,7 @@ class Cia402Node:
         self._queue.append((time_s + silence_s, Frame(identifier, bytes((NodeState.BOOT_UP,)))))
 
     def _restart_unseen(self) -> None:
-        """Begin anew as ``power_on``, but for the heartbeat, and without a word."""
+        """Restart as ``power_on``, but keep the heartbeat and send no message."""
         period = self.objects.number(0x1017)
         self._build()
         self._queue.clear()
@@ -254,7 +254,7 @@ class Cia402Node:
     # --- frames ----------------------------------------------------------------------------------
 
     def take(self, frame: Frame, time_s: float) -> None:
-        """Obey a frame from the bus."""
+        """Execute a frame from the bus."""
         if self._ignores_commands() or frame.extended or frame.remote:
             return
         node_id = self._options.node_id
@@ -288,7 +288,7 @@ class Cia402Node:
         return self._plan.strike(Cia402Fault.IGNORED_COMMAND, index) is not None
 
     def _take_pdo(self, frame: Frame, time_s: float) -> None:
-        if self._ignores(0x6040):  # what the driver maps into its PDO
+        if self._ignores(0x6040):  # the object that the driver maps into its PDO
             return
         try:
             fits = self.pdos.receive(frame)
@@ -316,7 +316,7 @@ class Cia402Node:
     # --- time ------------------------------------------------------------------------------------
 
     def tick(self, time_s: float) -> None:
-        """Let resets, faults, heartbeats and their supervision act."""
+        """Process resets, faults, heartbeats and their supervision."""
         silence_s = self._plan.take(Cia402Fault.BOOT_UP, BOOT_S)
         if silence_s is not None:
             self.power_on(time_s, silence_s)
@@ -408,7 +408,7 @@ class Cia402Node:
             self._queue.append((max(time_s, self._silent_until_s), Frame(identifier, data)))
 
     def _acknowledge(self) -> bool:
-        """Take a fault reset: the errors of this simulation have gone by themselves."""
+        """Accept a fault reset: the errors of this simulation end by themselves."""
         if self.objects.number(0x1001):
             self.objects.set(0x1001, 0)
             self.objects.set(0x603F, 0)
@@ -427,12 +427,12 @@ class Cia402Node:
     # --- plant -----------------------------------------------------------------------------------
 
     def advance(self, elapsed_s: float) -> DriveCommand:
-        """Advance the ramps and return what drives the motor."""
+        """Advance the ramps and return the motor command."""
         self.axis.advance(elapsed_s)
         return self.axis.command()
 
     def observe(self, state: MotorState) -> None:
-        """Take the motor's state."""
+        """Set the motor's state."""
         if self._plan.on(Cia402Fault.FALSE_STANDSTILL):
             count = self._motor.position_count
             state = replace(state, speed_count_per_s=0.0, position_count=count)

@@ -13,7 +13,7 @@ Key = tuple[int, int]
 
 
 class Abort(enum.IntEnum):
-    """Name the SDO abort codes in use (CiA 301)."""
+    """SDO abort codes in use (CiA 301)."""
 
     TOGGLE = 0x0503_0000
     COMMAND = 0x0504_0001
@@ -28,7 +28,7 @@ class Abort(enum.IntEnum):
 
 
 class AbortTransfer(Exception):
-    """Carry an abort code to the SDO server."""
+    """Abort an SDO transfer with an abort code."""
 
     def __init__(self, code: int) -> None:
         super().__init__(f"abort {code:08X}")
@@ -37,9 +37,9 @@ class AbortTransfer(Exception):
 
 @dataclass(slots=True)
 class Entry:
-    """Hold one object: kind as u8, i16, u32, ... or text; access ro or rw; mappable into PDOs.
+    """One object: kind as u8, i16, u32, ... or text; access ro or rw; mappable into PDOs.
 
-    read, when set, computes the value; written, when set, judges and obeys a new value.
+    read, if set, computes the value; written, if set, checks and applies a new value.
     """
 
     kind: str
@@ -61,7 +61,7 @@ class Entry:
 
 
 class Dictionary:
-    """Read and write objects as bytes; from outside, those that are lacking do not exist."""
+    """Read and write objects as bytes; objects in ``lacking`` do not exist from outside."""
 
     def __init__(self, lacking: Collection[int] = ()) -> None:
         self.entries: dict[Key, Entry] = {}
@@ -83,7 +83,7 @@ class Dictionary:
         self.entries[index, subindex].value = value
 
     def find(self, index: int, subindex: int) -> Entry:
-        """Return an entry; raise AbortTransfer when there is none."""
+        """Return an entry; raise AbortTransfer if there is none."""
         entry = None if index in self._lacking else self.entries.get((index, subindex))
         if entry is None:
             known = index not in self._lacking and any(key[0] == index for key in self.entries)
@@ -99,7 +99,7 @@ class Dictionary:
         return (value & (1 << 8 * entry.length) - 1).to_bytes(entry.length, "little")
 
     def write(self, index: int, subindex: int, data: bytes) -> None:
-        """Take bytes from outside; raise AbortTransfer."""
+        """Write bytes from outside; raise AbortTransfer."""
         entry = self.find(index, subindex)
         if entry.access == "ro":
             raise AbortTransfer(Abort.READ_ONLY)
@@ -116,7 +116,7 @@ PDO_ENTRIES: Final = 8
 
 
 def add_communication(objects: Dictionary, name: str) -> None:
-    """Add the objects of CiA 301 besides the PDOs."""
+    """Add the objects of CiA 301 except the PDOs."""
     objects.add(0x1000, 0, Entry("u32", 0x0002_0192, "ro"))
     objects.add(0x1001, 0, Entry("u8", 0, "ro", mappable=True))
     objects.add(0x1005, 0, Entry("u32", 0x80, "ro"))
@@ -171,7 +171,7 @@ def add_profile(objects: Dictionary) -> None:
 
 
 def add_epos(objects: Dictionary, node_id: int, encoder_pulses: int) -> None:
-    """Add the maker's objects that this program reads."""
+    """Add the manufacturer's objects that this program reads."""
     objects.add(0x2000, 0, Entry("u8", node_id))
     objects.add(0x2001, 0, Entry("u8", 0))
     objects.add(0x2200, 0, Entry("u8", 1, "ro"))
@@ -215,7 +215,7 @@ _INHIBIT_DEFAULTS: Final = (10, 0, 0, 10)
 
 @dataclass(slots=True)
 class _Sent:
-    """Remember what a TPDO sent last."""
+    """Last transmission of a TPDO."""
 
     data: bytes | None = None
     time_s: float = 0.0
@@ -275,11 +275,11 @@ class Pdos:
             raise AbortTransfer(Abort.STATE)
 
     def forget(self) -> None:
-        """Take every TPDO as not sent yet, as on entering operational."""
+        """Mark every TPDO as not sent, as on entering operational."""
         self._sent = [_Sent() for _ in range(PDO_COUNT)]
 
     def receive(self, frame: Frame) -> bool | None:
-        """Write an RPDO into the dictionary: True obeyed, False wrong length, None not for us."""
+        """Write an RPDO into the dictionary: True done, False wrong length, None not addressed."""
         for number in range(PDO_COUNT):
             cob_id = self._objects.number(0x1400 + number, 1)
             if cob_id & _INVALID or cob_id & _IDENTIFIER != frame.identifier:
@@ -295,12 +295,12 @@ class Pdos:
             length = (entry & 0xFF) // 8
             pieces.append((entry, data[:length]))
             data = data[length:]
-        for entry, piece in reversed(pieces):  # the control word comes first, is obeyed last
+        for entry, piece in reversed(pieces):  # the control word is first, and is executed last
             self._objects.write(entry >> 16, entry >> 8 & 0xFF, piece)
         return True
 
     def on_sync(self, time_s: float) -> list[Frame]:
-        """Return the TPDOs that a SYNC causes."""
+        """Return the TPDOs triggered by a SYNC."""
         frames = []
         for number, sent in enumerate(self._sent):
             kind = self._objects.number(0x1800 + number, 2)
@@ -313,7 +313,7 @@ class Pdos:
         return frames
 
     def on_time(self, time_s: float) -> list[Frame]:
-        """Return the TPDOs that are due by change or by time."""
+        """Return the TPDOs that are due by a change or by time."""
         frames = []
         for number, sent in enumerate(self._sent):
             if not self._valid(number) or self._objects.number(0x1800 + number, 2) < 254:

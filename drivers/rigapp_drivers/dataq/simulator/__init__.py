@@ -2,7 +2,7 @@
 
 Loaded by the simulated rig and by tests; no driver at run time imports it.
 
-After power comes it is idle, its scan list holds analog channel 0. Packets leave when full.
+After power-on it is idle, and its scan list is analog channel 0. Packets are sent when full.
 """
 
 from __future__ import annotations
@@ -42,31 +42,31 @@ _LONGEST_LINE: Final = 64
 
 
 class DataqFault(enum.StrEnum):
-    """Name a fault; its ``value`` means what stands behind it."""
+    """Kinds of fault; the comment gives the meaning of ``value`` and its default."""
 
     # in the stream, once
-    DROPPED_BYTE = "dropped_byte"  # place of the byte in what is about to be sent (3)
-    GARBAGE = "garbage"  # random bytes that are put in (7)
-    OVERRUN = "overrun"  # whole scans that are lost (10); not reported by the device
-    OVERRUN_BYTES = "overrun_bytes"  # bytes that are lost (7); not reported by the device
+    DROPPED_BYTE = "dropped_byte"  # index of the byte in the next transmission (3)
+    GARBAGE = "garbage"  # number of inserted random bytes (7)
+    OVERRUN = "overrun"  # number of lost whole scans (10); not reported by the device
+    OVERRUN_BYTES = "overrun_bytes"  # number of lost bytes (7); not reported by the device
     # at the inputs, while active
-    SATURATED_INPUT = "saturated_input"  # analog channel (1), beyond the end of its range
+    SATURATED_INPUT = "saturated_input"  # analog channel (1), beyond its range
     STUCK_INPUT = "stuck_input"  # analog channel (1)
     STUCK_COUNTER = "stuck_counter"
     # at the counter, once
     COUNTER_SLIP = "counter_slip"  # counts too many (100)
-    # in the replies; count: how many, target: place of the command in ``COMMANDS``
+    # in the replies; count: number of replies, target: index of the command in ``COMMANDS``
     NO_REPLY = "no_reply"
-    SLOW_REPLY = "slow_reply"  # s of delay (0.3)
+    SLOW_REPLY = "slow_reply"  # delay in s (0.3)
     WRONG_ECHO = "wrong_echo"
     # the device
-    HANG = "hang"  # while active: neither sends nor answers
-    RESET = "reset"  # power off and on; s until it answers again (0.2)
+    HANG = "hang"  # while active: neither sends nor replies
+    RESET = "reset"  # power off and on; s until it replies again (0.2)
 
 
 @dataclass(slots=True)
 class Volatile:
-    """What the device forgets when its power goes."""
+    """State that the device loses at power-off."""
 
     scan_list: list[int] = field(default_factory=lambda: [0])
     filters: dict[int, int] = field(default_factory=dict)
@@ -81,17 +81,16 @@ class Volatile:
 
 
 class DataqSimulator:
-    """Answer and stream as a DI-2108 or DI-4108 does; implements ``SimulatedDataSource``.
+    """Respond and stream as a DI-2108 or DI-4108 does; implements ``SimulatedDataSource``.
 
     counts_per_revolution: lines of the encoder, whose line A drives counter and D6. firmware: in
-    hundredths. start_echo: echo ``start`` before the first sample. echo_nuls: NULs behind every
-    echo. srate_rewrites_ps: some firmware chooses another packet size with each srate.
-    stop_sends_rest: a packet that is not full leaves at stop (else it is lost). overrun_drops:
-    "scans" or "bytes", what is missing after the link was full. encoder_rate_Hz: how often the
-    rig is to be looked at under the encoder clock; readings are interpolated at the edges.
-    bridge_amplifiers: V at an input for 1 mV/V of the bridge before it, by the input's name.
-    direction_line, index_line: digital inputs with lines B and Z of the encoder, "none" or "D0" to
-    "D5". master_clock_Hz: what ``info 9`` says.
+    hundredths. start_echo: echo ``start`` before the first sample. echo_nuls: NULs after every
+    echo. srate_rewrites_ps: some firmware sets another packet size with each srate.
+    stop_sends_rest: an incomplete packet is sent at stop (else it is lost). overrun_drops: "scans"
+    or "bytes", lost after an overrun of the link. encoder_rate_Hz: sample rate of the rig under the
+    encoder clock; readings are interpolated at the edges. bridge_amplifiers: V at an input for
+    1 mV/V of the bridge before it, by the input's name. direction_line, index_line: digital inputs
+    with lines B and Z of the encoder, "none" or "D0" to "D5". master_clock_Hz: reply to ``info 9``.
     A scan rate above 160 kHz over all entries hangs the device. faults: ``Fault`` records or tables
     of their fields, see ``DataqFault``.
     """
@@ -144,13 +143,13 @@ class DataqSimulator:
         self._silent_until_s = 0.0
         self._to_drop = 0
 
-    # --- what the rig sees ----------------------------------------------------------------------
+    # --- interface to the rig -------------------------------------------------------------------
 
     @property
     def sample_rate_Hz(self) -> float:
-        """Return the scan rate; under the encoder clock how often the rig is looked at.
+        """Return the scan rate; with the encoder clock the sample rate of the rig.
 
-        While idle it is the encoder clock's at most: nobody sees what a faster plant would do.
+        While idle it is at most that of the encoder clock, as no samples are sent.
         """
         if not self._state.scanning:
             return min(self._scan_rate_Hz(), self._encoder_rate_Hz)
@@ -173,21 +172,21 @@ class DataqSimulator:
 
     @property
     def settings(self) -> Mapping[str, int]:
-        """Return srate, dec, deca, ps and the like as they stand in the device."""
+        """Return the present srate, dec, deca, ps and other settings of the device."""
         return dict(self._state.values)
 
     @property
     def filters(self) -> Mapping[int, int]:
-        """Return the filter modes that were set, by channel."""
+        """Return the set filter modes by channel."""
         return dict(self._state.filters)
 
     def overrun(self, now_s: float) -> None:
-        """Take note that the link dropped old data: the device itself says nothing of it."""
+        """Record that the link dropped old data, which the device does not report."""
         if self._overrun_drops == "bytes":
             self._to_drop += 1
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause."""
+        """Process bytes from the host and return the replies."""
         self._tick(now_s)
         state = self._state
         if self._mute():
@@ -199,7 +198,7 @@ class DataqSimulator:
         return self._plan.due() + replies
 
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
-        """Return the bytes that these samples cause on the wire (b"" when not streaming)."""
+        """Return the bytes sent for these samples (b"" when not streaming)."""
         self._tick(now_s)
         replies = b"" if self._mute() else self._plan.due()
         if signals.shaft_revolutions.size == 0:
@@ -221,7 +220,7 @@ class DataqSimulator:
         return replies + data
 
     def _amplified(self, signals: RigSignals) -> RigSignals:
-        """Return the signals behind the bridge amplifiers: V where mV/V went in."""
+        """Return the output signals of the bridge amplifiers: V instead of mV/V."""
         analog = {n: signal * self._gains.get(n, 1.0) for n, signal in signals.analog.items()}
         return RigSignals(analog, signals.shaft_revolutions)
 
@@ -267,7 +266,7 @@ class DataqSimulator:
         return self._plan.in_time(reply, DataqFault.SLOW_REPLY, target, 0.3)
 
     def _obey(self, command: str, fields: list[str]) -> str | None:
-        """Do what a command says; return what stands behind its echo, None when it is wrong."""
+        """Execute a command; return the text after its echo, None if it is invalid."""
         try:
             numbers = tuple(int(text) for text in fields)
         except ValueError:
@@ -355,7 +354,7 @@ class DataqSimulator:
         terminals.count += int(slip or 0)
 
     def _damaged(self, words: np.ndarray[Any, Any]) -> bytes:
-        """Return the bytes of scans with what faults do to them."""
+        """Return the bytes of scans with the effects of faults."""
         if len(words) == 0:
             return b""
         take = self._plan.take

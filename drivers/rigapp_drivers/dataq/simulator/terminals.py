@@ -25,7 +25,7 @@ _RAILS_V = 1000.0
 
 @dataclass(frozen=True, slots=True)
 class Readings:
-    """What the device converts: analog (8, scans) in V, counts, pulse rate in Hz, digital lines."""
+    """Converted signals: analog (8, scans) in V, counts, pulse rate in Hz, digital lines."""
 
     analog: Floats
     counts: NDArray[np.int64]
@@ -35,9 +35,9 @@ class Readings:
 
 @dataclass(frozen=True, slots=True)
 class Pulses:
-    """Rising edges of encoder line A: the interval between samples, and the place within it.
+    """Rising edges of encoder line A: the interval between samples, and the fraction within it.
 
-    position: in encoder lines. forward: which way the shaft turns there.
+    position: in encoder lines. forward: direction of the shaft at the edge.
     """
 
     interval: NDArray[np.int64]
@@ -50,8 +50,8 @@ class Pulses:
 def rising_edges(position: Floats) -> Pulses:
     """Return the rising edges along a position in encoder lines, linear between its points.
 
-    Line A is high in the first half of every line: forward it rises at whole numbers, backward in
-    the middle between them.
+    Line A is high in the first half of every line: forward it rises at whole numbers, backward
+    midway between them.
     """
     before, after = position[:-1], position[1:]
     up, down = np.floor(before), np.floor(before - 0.5)
@@ -69,10 +69,10 @@ def rising_edges(position: Floats) -> Pulses:
 
 
 class Terminals:
-    """Follow the shaft and the voltages from call to call; counts while nobody scans, too.
+    """Track the shaft and the voltages from call to call; counts also without scanning.
 
-    lines: of the encoder. line_b, line_z: digital inputs that its lines B and Z are wired to. Line
-    B rises a quarter of a line behind A; Z is high for one line, from a quarter before a turn.
+    lines: of the encoder. line_b, line_z: digital inputs wired to its lines B and Z. Line B rises a
+    quarter of a line after A; Z is high for one line, from a quarter of a line before a turn.
     """
 
     def __init__(self, lines: int, *, line_b: int | None = None, line_z: int | None = None) -> None:
@@ -87,7 +87,7 @@ class Terminals:
         self._held: dict[int, float] = {}
 
     def read(self, signals: RigSignals, sample_rate_Hz: float, *, by_encoder: bool) -> Readings:
-        """Return the readings of the scans that fall due: one a sample, or one a rising edge."""
+        """Return the readings of the scans that are due: one per sample or per rising edge."""
         shaft = signals.shaft_revolutions * self._lines
         if self._position is None:
             self._position = float(shaft[0])
@@ -101,7 +101,7 @@ class Terminals:
             analog = voltages[:, at] * (1.0 - fraction) + voltages[:, at + 1] * fraction
             counts = first + 1 + np.arange(total)
             rate = rate[at]
-            # A scan stands just behind the edge, where A is high whichever way the shaft turns.
+            # A scan is taken just after the edge, where A is high in both directions.
             states = self._states(pulses.position + np.where(pulses.forward, 1e-6, -1e-6))
         else:
             analog = voltages[:, 1:]
@@ -128,7 +128,7 @@ class Terminals:
         return np.asarray(states, np.int64)
 
     def _inputs(self, signals: RigSignals) -> Floats:
-        """Return (8, 1 + samples) in V, the last sample of the call before at first."""
+        """Return (8, 1 + samples) in V, beginning with the last sample of the previous call."""
         voltages = np.zeros((ANALOG_CHANNELS, 1 + signals.shaft_revolutions.size))
         voltages[:, 0] = self._voltages
         for number, values in signals.analog.items():
@@ -149,7 +149,7 @@ class Terminals:
 def words_of(
     readings: Readings, scan_list: Sequence[int], model: Model, rng: np.random.Generator
 ) -> NDArray[np.uint16]:
-    """Return the words of the scans, (scans, entries); low bits that carry no signal are random."""
+    """Return the words of the scans, (scans, entries); insignificant low bits are random."""
     scans = readings.counts.size
     words = np.empty((scans, len(scan_list)), np.uint16)
     for column, entry in enumerate(scan_list):
@@ -178,7 +178,7 @@ def _converted(
 
 
 def known_word(word: int, model: Model) -> bool:
-    """Return whether a scan-list word means something to a model."""
+    """Return whether a scan-list word is valid for a model."""
     function, code = word & 0xF, word >> 8
     if word & 0xF0:
         return False

@@ -2,8 +2,8 @@
 
 Loaded by the simulated rig and by tests; no driver at run time imports it.
 
-Time of the wire and time of the plant are apart: the packet time-out, the serial watchdog and the
-fault data run on ``now_s``, the ramps on ``elapsed_s``.
+Time of the wire and time of the plant differ: the packet time-out, the serial watchdog and the
+faults run on ``now_s``, the ramps on ``elapsed_s``.
 """
 
 from __future__ import annotations
@@ -35,17 +35,17 @@ _BY_ITSELF_COUNT_PER_S: Final = 1800  # 30 rpm of an encoder of 3600 counts
 
 
 class RoboClawSimulator:
-    """Answer as a RoboClaw does; implements ``rigapp_drivers.simulator_api.SimulatedDrive``.
+    """Respond as a RoboClaw does; implements ``rigapp_drivers.simulator_api.SimulatedDrive``.
 
-    address, motor: packet address and the motor that the plant turns (1 or 2); the other motor
-    turns free. any_address: answer to every address, as over USB. firmware: its text; the packet
-    layouts follow from it unless status_width, pin_modes, voltage_offset or combined_status say
-    otherwise. inter_byte_timeout_s: a longer gap inside a packet discards it; 0.01 on the real
-    drive, longer by default because a busy host pauses inside a packet. qpps: speed limit of
-    both motors in counts/s. duty_acceleration: of both, in duty per second; s3_mode: what input S3
-    does, as set with the maker's tool, None for the latching emergency stop. unknown_commands:
-    numbers that this firmware lacks and is silent to
-    (200 to 202 are not in every manual). faults: ``Fault`` records or tables of their fields.
+    address, motor: packet address and the motor of the plant (1 or 2); the other motor has no load.
+    any_address: reply to every address, as over USB. firmware: its text; it determines the packet
+    layouts unless status_width, pin_modes, voltage_offset or combined_status are given.
+    inter_byte_timeout_s: a longer gap inside a packet discards it; 0.01 on the real drive, longer
+    by default because a busy host pauses inside a packet. qpps: speed limit of both motors in
+    counts/s. duty_acceleration: of both, in duty per second. s3_mode: function of input S3, as set
+    with the manufacturer's tool, None for the latching emergency stop. unknown_commands: numbers
+    that this firmware lacks and does not answer (200 to 202 are not in every manual). faults:
+    ``Fault`` records or tables of their fields.
     """
 
     kinds = RoboClawFault
@@ -98,7 +98,7 @@ class RoboClawSimulator:
     # --- SimulatedDrive --------------------------------------------------------------------------
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause."""
+        """Process bytes from the host and return the replies."""
         time_s = self._judge(now_s)
         if time_s < self._silent_until_s:
             return b""
@@ -113,32 +113,32 @@ class RoboClawSimulator:
         return replies
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
-        """Advance the ramps, judge watchdog and faults, return what drives the motor."""
+        """Advance the ramps, check watchdog and faults, return the motor command."""
         self._judge(now_s)
         for axis in self._registers.axes:
             axis.advance(elapsed_s)
         return self._registers.axes[self._registers.motor - 1].command()
 
     def observe(self, state: MotorState) -> None:
-        """Take the motor's state for later replies."""
+        """Set the motor's state for later replies."""
         self._registers.observe(state)
 
     def emit(self, now_s: float) -> bytes:
-        """Return replies whose delay is over; a RoboClaw sends nothing by itself."""
+        """Return the delayed replies that are due; a RoboClaw sends nothing unsolicited."""
         self._judge(now_s)
         return self._plan.due()
 
-    # --- what a test or a demonstration may do and see -------------------------------------------
+    # --- for tests and demonstrations ------------------------------------------------------------
 
     @property
     def serial_timeout_s(self) -> float:
-        """Return the watchdog time that is set; 0 is off."""
+        """Return the watchdog's time-out; 0 is off."""
         return self._registers.memory.timeout * TIMEOUT_UNIT_S
 
     # --- time ------------------------------------------------------------------------------------
 
     def _judge(self, now_s: float) -> float:
-        """Let resets, the watchdog and fault conditions act; return the time since the start."""
+        """Process resets, watchdog and fault conditions; return the time since the start."""
         time_s = self._plan.tick(now_s)
         silence_s = self._plan.take(RoboClawFault.RESET, _BOOT_S)
         if silence_s is not None:
@@ -164,7 +164,7 @@ class RoboClawSimulator:
     # --- packets ---------------------------------------------------------------------------------
 
     def _next_packet(self) -> bytes | None:
-        """Take one complete packet out of the buffer; what cannot be one is discarded."""
+        """Remove one complete packet from the buffer; discard invalid bytes."""
         if len(self._buffer) < 2:
             return None
         address, command = self._buffer[:2]

@@ -13,7 +13,7 @@ _INT32 = 1 << 32
 
 @dataclass(slots=True)
 class AxisSettings:
-    """Hold what the drive keeps in its non-volatile memory for a motor, in raw units."""
+    """Settings of a motor in the drive's non-volatile memory, in raw units."""
 
     pid: tuple[int, int, int, int] = (0x10000, 0x8000, 0x4000, 44000)  # P, I, D, QPPS
     current_limit: tuple[int, int] = (3000, 0)
@@ -23,7 +23,7 @@ class AxisSettings:
 
 @dataclass(slots=True)
 class Axis:
-    """Turn commands into a ramped set-point or a duty, and the plant's state into replies.
+    """Convert commands to a ramped set-point or a duty, and the plant's state to readings.
 
     Without a plant (``observed`` False) the motor follows its set-point exactly.
     """
@@ -44,11 +44,11 @@ class Axis:
 
     @property
     def qpps(self) -> int:
-        """Return the speed in counts/s that the velocity loop takes for full duty."""
+        """Return the speed in counts/s that the velocity loop assigns to full duty."""
         return self.settings.pid[3]
 
     def run(self, speed: int, acceleration: float = math.inf) -> None:
-        """Take a velocity command in counts/s and counts/s2; the ramp starts at the real speed."""
+        """Set a velocity in counts/s with a ramp in counts/s2, starting at the actual speed."""
         if self.mode is not DriveMode.VELOCITY:
             self.setpoint = self.speed
         self.mode = DriveMode.VELOCITY
@@ -58,7 +58,7 @@ class Axis:
             self.setpoint = self.target
 
     def drive(self, duty: int) -> None:
-        """Take a duty command, +-32767, which is reached by a ramp; 0 takes the power off."""
+        """Set a duty, +-32767, which is reached by a ramp; 0 removes the power."""
         self.duty_target = max(-MAXIMUM_DUTY, min(MAXIMUM_DUTY, duty))
         self.duty = float(self.pwm)
         self.mode = DriveMode.DUTY
@@ -72,26 +72,26 @@ class Axis:
             self.power_off()
 
     def power_off(self) -> None:
-        """Forget every command."""
+        """Clear every command."""
         self.mode = DriveMode.OFF
         self.duty = 0.0
         self.target = self.setpoint = 0.0
 
     @property
     def driven(self) -> bool:
-        """Return whether a command wants the motor to turn."""
+        """Return whether a motion is commanded."""
         moving = self.target != 0.0 or self.setpoint != 0.0
         return self.mode is DriveMode.DUTY or (self.mode is DriveMode.VELOCITY and moving)
 
     def halt(self) -> None:
-        """Stop at once and hold: a motor that was only switched off would swing in its spring."""
+        """Stop at once and hold: without power the spring would make the motor swing."""
         if self.mode is not DriveMode.OFF:
             self.mode = DriveMode.VELOCITY
             self.duty = 0.0
             self.target = self.setpoint = 0.0
 
     def advance(self, elapsed_s: float) -> None:
-        """Move the set-point along its ramp, and the motor with it when there is no plant."""
+        """Move the set-point along its ramp, and the motor with it if there is no plant."""
         if self.mode is DriveMode.VELOCITY:
             step = self.acceleration * elapsed_s if elapsed_s > 0 else 0.0
             gap = self.target - self.setpoint
@@ -103,14 +103,14 @@ class Axis:
             self._move_to(self.position + self.speed * elapsed_s)
 
     def observe(self, state: MotorState) -> None:
-        """Take the plant's state."""
+        """Set the plant's state."""
         self.observed = True
         self.speed = state.speed_count_per_s
         self.current_A = state.current_A
         self._move_to(float(state.position_count))
 
     def command(self) -> DriveCommand:
-        """Return what drives the motor."""
+        """Return the motor command."""
         if self.mode is DriveMode.VELOCITY:
             return DriveCommand(self.mode, speed_count_per_s=self.setpoint)
         if self.mode is DriveMode.DUTY:
@@ -119,7 +119,7 @@ class Axis:
 
     @property
     def count(self) -> int:
-        """Return the encoder counter as the drive holds it: 32 bits, two's complement."""
+        """Return the encoder counter: 32 bits, two's complement."""
         raw = (math.floor(self.position) + self.offset) % _INT32
         return raw - _INT32 if raw >= _INT32 // 2 else raw
 
@@ -135,13 +135,13 @@ class Axis:
 
     @property
     def pwm(self) -> int:
-        """Return the output as the drive reports it, +-32767."""
+        """Return the reported output, +-32767."""
         if self.mode is DriveMode.VELOCITY and self.qpps:
             return round(max(-1.0, min(1.0, self.setpoint / self.qpps)) * MAXIMUM_DUTY)
         return round(self.duty)
 
     def _move_to(self, position: float) -> None:
-        """Move, and note a wrap of the unsigned counter as the drive does."""
+        """Set the position, and record a wrap of the unsigned counter."""
         before = math.floor(self.position) + self.offset
         after = math.floor(position) + self.offset
         if before // _INT32 > after // _INT32:

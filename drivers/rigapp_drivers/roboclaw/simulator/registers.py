@@ -1,4 +1,4 @@
-"""What a simulated RoboClaw knows: settings, motors, conditions, and its answer to each command."""
+"""Registers of a simulated RoboClaw: settings, motors, conditions, and replies to commands."""
 
 from __future__ import annotations
 
@@ -27,27 +27,27 @@ _STOP_MODES: Final = {5: (0x00, 0x01, 0x81), 3: (0, 1, 2)}
 
 
 class RoboClawFault(enum.StrEnum):
-    """Name a fault; its ``value`` means what stands behind it."""
+    """Kinds of fault; the comment gives the meaning of ``value``."""
 
     EMERGENCY_STOP = "emergency_stop"  # the S3 input is active
     OVER_CURRENT = "over_current"  # A, shown as the motor's current
     UNDER_VOLTAGE = "under_voltage"  # V of the main supply
     OVER_TEMPERATURE = "over_temperature"  # degrees C
     DRIVER_FAULT = "driver_fault"
-    STATUS_BITS = "status_bits"  # bits to set in the status word
+    STATUS_BITS = "status_bits"  # bits set in the status word
     WRONG_CRC = "wrong_crc"
     WRONG_ACKNOWLEDGE = "wrong_acknowledge"  # byte sent instead of FF
     NO_REPLY = "no_reply"
-    LOST_COMMAND = "lost_command"  # the packet is neither obeyed nor answered
-    IGNORED_COMMAND = "ignored_command"  # the write is acknowledged and not obeyed
-    FALSE_READBACK = "false_readback"  # it says that the motor has no power, whatever it does
-    FALSE_STANDSTILL = "false_standstill"  # it says that the motor stands: its encoder is dead
-    TURNS_BY_ITSELF = "turns_by_itself"  # counts/s that nobody has commanded
-    SLOW_REPLY = "slow_reply"  # s of delay
+    LOST_COMMAND = "lost_command"  # the packet is neither executed nor answered
+    IGNORED_COMMAND = "ignored_command"  # the write is acknowledged but not executed
+    FALSE_READBACK = "false_readback"  # the drive always reports a motor without power
+    FALSE_STANDSTILL = "false_standstill"  # the drive reports standstill: its encoder is dead
+    TURNS_BY_ITSELF = "turns_by_itself"  # speed without a command, counts/s
+    SLOW_REPLY = "slow_reply"  # delay in s
     DUPLICATED_REPLY = "duplicated_reply"
-    SLOW_COMMAND = "slow_command"  # s until a command is acknowledged; it is obeyed at once
-    RESET = "reset"  # s until the drive answers again
-    RESTART_UNSEEN = "restart_unseen"  # at once, and its clock (command 73) runs on
+    SLOW_COMMAND = "slow_command"  # s until a command is acknowledged; it is executed at once
+    RESET = "reset"  # s until the drive replies again
+    RESTART_UNSEEN = "restart_unseen"  # immediate, and its clock (command 73) continues
     WATCHDOG_LOST = "watchdog_lost"  # the serial time-out is off
 
 
@@ -56,7 +56,7 @@ LOGIC_VOLTAGE = 121  # 0.1 V, of a board on 48 V
 
 @dataclass(frozen=True, slots=True)
 class _Bits:
-    """Hold the status bits of a condition in both firmware generations, for motor 1."""
+    """Status bits of a condition in both firmware generations, for motor 1."""
 
     newer: int
     older: int
@@ -79,7 +79,7 @@ _FAULT_BITS: Final[Mapping[RoboClawFault, _Bits]] = {
 
 @dataclass(slots=True)
 class Saved:
-    """Hold what command 94 saves and a reset restores, in raw units."""
+    """Settings saved by command 94 and restored by a reset, in raw units."""
 
     timeout: int = 0
     main_limits: Numbers = (60, 600, 0)
@@ -91,7 +91,7 @@ class Saved:
 
 
 class Registers:
-    """Answer reads and obey writes."""
+    """Reply to reads and execute writes."""
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class Registers:
         self.power_on()
 
     def power_on(self, *, clock_runs_on: bool = False) -> None:
-        """Begin anew with the saved settings, the motors off and the counters at 0."""
+        """Restart with the saved settings, the motors off and the counters at 0."""
         self.memory = copy.deepcopy(self._saved)
         self.axes = tuple(Axis(settings=settings) for settings in self.memory.axes)
         self.axes[self.motor - 1].observe(self._state)
@@ -126,7 +126,7 @@ class Registers:
         self._stop_latched = False
 
     def observe(self, state: MotorState) -> None:
-        """Take the state of the motor that the plant turns."""
+        """Set the state of the plant's motor."""
         if self._plan.on(RoboClawFault.FALSE_STANDSTILL):
             count = self._state.position_count
             state = replace(state, speed_count_per_s=0.0, position_count=count)
@@ -134,21 +134,21 @@ class Registers:
         self.axes[self.motor - 1].observe(state)
 
     def power_off(self) -> bool:
-        """Switch both motors off; tell whether one was on."""
+        """Switch both motors off; return whether one was on."""
         was_on = any(axis.mode is not DriveMode.OFF for axis in self.axes)
         for axis in self.axes:
             axis.power_off()
         return was_on
 
     def halt(self) -> bool:
-        """Stop both motors and hold them, as on a serial time-out; tell whether one was driven."""
+        """Stop and hold both motors, as on a serial time-out; return whether one was driven."""
         driven = any(axis.driven for axis in self.axes)
         for axis in self.axes:
             axis.halt()
         return driven
 
     def knows(self, command: int) -> bool:
-        """Return whether a command is one that this drive answers."""
+        """Return whether this drive has a command."""
         return command in self._readers or command in self._writers
 
     def read(self, command: int) -> bytes:
@@ -158,11 +158,11 @@ class Registers:
         return struct.pack(layout, *self._readers[command]())
 
     def write(self, command: int, values: Numbers) -> None:
-        """Obey a write."""
+        """Execute a write."""
         self._writers[command](values)
 
     def judge(self) -> None:
-        """Let the emergency stop and every fault condition switch the motors off."""
+        """Switch the motors off on an emergency stop or a fault condition."""
         modes = self.generation.pin_modes
         pressed = self._plan.on(RoboClawFault.EMERGENCY_STOP)
         if pressed and self.memory.pin_modes[0] in _STOP_MODES[modes]:
