@@ -1,5 +1,5 @@
-"""The simulated rig: physics that the model lacks, wired to the simulated devices.
+"""The simulated rig: physics beyond the model, connected to the simulated devices.
 
-Others enter by ``process`` (start it), ``handle`` (control it), ``constants`` (its assumptions),
-``disturbances`` and ``wire.link`` (its faults), ``wire.ports`` (a port for a device).
+Other packages import only ``process`` (start it), ``handle`` (control it), ``constants`` (its
+assumptions), ``disturbances`` and ``wire.link`` (its faults), ``wire.ports`` (a port for a device).
 """

@@ -1,4 +1,4 @@
-"""From files to numbers: mechanism and rig file become the constants of the plant."""
+"""Compute the constants of the plant from the mechanism and the rig file."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from rigapp.simulation.layout import Constants
 
 @dataclass(frozen=True, slots=True)
 class Machine:
-    """The constants that neither paper nor rig file gives: spindle, motor, velocity loop [assumed].
+    """Constants missing in paper and rig file: spindle, motor, velocity loop [assumed].
 
-    The torque constant makes 48 V worth 800 rpm at no load; the velocity loop is critically damped.
+    The torque constant gives 800 rpm at 48 V without load; the velocity loop is critically damped.
     """
 
     flywheel_kg_m2: float = 0.0847
@@ -41,7 +41,7 @@ def packaged_parameters() -> ParameterFile:
 
 
 def plant_section(rig: RigFile) -> PlantSection:
-    """Return [simulation.plant], its defaults where the rig file has none."""
+    """Return [simulation.plant], or its defaults if the rig file has none."""
     return rig.simulation.plant if rig.simulation is not None else PlantSection()
 
 
@@ -166,10 +166,10 @@ def _spring(
 
 
 def _lengthening_sign(stiffness: float, free_position: float, middle: float) -> float:
-    """Return +1 where the spring (or nothing) keeps the follower in tension, -1 in compression.
+    """Return +1 if the spring (or no spring) keeps the follower in tension, -1 in compression.
 
-    In tension the pin bears on the wall away from the wrist: the follower acts longer by c. In
-    compression the other wall bears: the same equations with -c.
+    In tension the pin touches the wall away from the wrist: the follower is effectively longer by
+    c. In compression it touches the other wall: the same equations with -c.
     """
     return -1.0 if stiffness > 0.0 and free_position < middle else 1.0
 
@@ -187,7 +187,7 @@ def _check(radius: float, length: float, clearance: float) -> None:
 
 
 def _volts_per_metre(rig: RigFile, plant: PlantSection) -> list[float]:
-    """Return the probes' true sensitivities: the rig file's, wrong by the plant's errors."""
+    """Return the probes' true sensitivities: the rig file's with the plant's errors."""
     pairs = zip(rig.probes.sensitivity_um_per_V, plant.probe_sensitivity_error_percent, strict=True)
     return [1e6 / (believed * (1.0 + error / 100.0)) for believed, error in pairs]
 
@@ -199,9 +199,9 @@ def _matrix(rig: RigFile) -> NDArray[np.float64]:
 def _cell(rig: RigFile, plant: PlantSection) -> NDArray[np.float64]:
     """Return the true cell, mV/V per N on the pin: the rig file's matrix with cross-talk x.
 
-    True force = (I + X) matrix signal with X = [[0, x], [x, 0]], so that the operator, who
-    believes the matrix, reads component 1 too low by x times component 2, and the reverse; with an
-    error of the gain, both too high by it.
+    True force = (I + X) matrix signal with X = [[0, x], [x, 0]], so that with the uncorrected
+    matrix component 1 reads too low by x times component 2, and the reverse; with a gain error,
+    both read too high by it.
     """
     x = plant.cross_talk_percent / 100.0
     true = np.array([[1.0, x], [x, 1.0]]) @ _matrix(rig)

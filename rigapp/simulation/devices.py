@@ -1,4 +1,4 @@
-"""The simulated devices of a rig file: simulator, wire and input of each."""
+"""Create the simulated devices of a rig file, each with simulator, wire and inputs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ MakeEndpoint = Callable[[str], Endpoint]
 
 @dataclass(frozen=True, slots=True)
 class SimulatedDevice:
-    """A device's simulator with its wire; quantities: of a slow device, those that it measures."""
+    """A device's simulator with its wire; quantities: measured by a slow device."""
 
     name: str
     simulator: Any
@@ -60,19 +60,19 @@ def signals(seen: WiredSignals, inputs: Mapping[str, int]) -> RigSignals:
 
 
 def simulated_names(rig: RigFile) -> tuple[str, ...]:
-    """Return the devices with the port ``simulated``, or all of a rig file without any."""
+    """Return the devices with the port ``simulated``, or all devices if there are none."""
     return rig.simulated_devices or tuple(rig.devices)
 
 
 class RealDevice:
-    """A stand-in for a real drive or data acquisition beside simulated devices; it does nothing."""
+    """Placeholder for a real drive or data acquisition among simulated devices; does nothing."""
 
     sample_rate_Hz = 1000.0
     streaming = False
     url = ""
 
     def connected(self) -> bool:
-        """Return False: no host connects to it here."""
+        """Return False: no host connects to it."""
         return False
 
     def read(self) -> bytes:
@@ -80,7 +80,7 @@ class RealDevice:
         return b""
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Answer nothing."""
+        """Send no reply."""
         return b""
 
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
@@ -100,13 +100,13 @@ class RealDevice:
 
 
 class SimulatorFailed(Exception):
-    """A simulator raised an unexpected error; it is silent from now on."""
+    """A simulator raised an unexpected error and was disabled."""
 
 
 class GuardedSimulator:
-    """A simulator of any package: after an error it is silent, and the rig goes on.
+    """Wrapper of a simulator: after an error it is disabled, and the rig continues.
 
-    failed: why, in a sentence, empty while it works.
+    failed: the reason as a sentence, empty while it works.
     """
 
     def __init__(self, simulator: Any, name: str, package: str) -> None:
@@ -131,7 +131,7 @@ class GuardedSimulator:
         return guarded
 
     def _fail(self, error: BaseException) -> SimulatorFailed:
-        """Turn all its methods into ones that do nothing."""
+        """Disable the simulator: its methods do nothing from now on."""
         self.failed = (
             f"The simulator of {self._name} has failed ({failure_words(error)}); report it to the"
             f" author of the package {self._package}, and connect again."
@@ -144,11 +144,11 @@ class GuardedSimulator:
 
 
 def _nothing(*arguments: Any, **options: Any) -> None:
-    """Do nothing, as a missing device."""
+    """Do nothing, like a missing device."""
 
 
 def real_device(name: str) -> SimulatedDevice:
-    """Return the stand-in for a real device."""
+    """Return the placeholder for a real device."""
     device: Any = RealDevice()
     return SimulatedDevice(name, device, SimulatedWire(device))
 
@@ -173,7 +173,7 @@ def drive_device(rig: RigFile, make_endpoint: MakeEndpoint, seed: int) -> Simula
 def slow_devices(
     rig: RigFile, make_endpoint: MakeEndpoint, seed: int
 ) -> tuple[SimulatedDevice, ...]:
-    """Return the simulated thermometers and the like; raise UnusableInput for any other device."""
+    """Return the simulated slow devices; raise UnusableInput for any other device."""
     instruments = {rig.spindle.device, rig.encoder.device, rig.load_cell.device, rig.probes.device}
     if rig.spindle.device == rig.encoder.device and rig.spindle.device in simulated_names(rig):
         raise UnusableInput(
@@ -240,7 +240,7 @@ def _load(
 def _simulator(
     name: str, info: DriverInfo, settings: Mapping[str, Any], facts: Mapping[str, Any]
 ) -> Any:
-    """Make a simulator with the facts and settings of the file that it has parameters for."""
+    """Create a simulator with those facts and settings for which it has parameters."""
     try:
         simulator = load_simulator(info)
     except DriverNotFound as error:

@@ -1,4 +1,4 @@
-"""Disturbances of signals between plant and terminals: faults, and those of a laboratory."""
+"""Disturbances of signals between plant and terminals: faults and laboratory effects."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _SPIKES = np.uint64(17)
 
 @dataclass(frozen=True, slots=True)
 class WiredSignals:
-    """The inputs of the data acquisition: the shaft in revolutions, mV/V or V by channel."""
+    """Input signals of the data acquisition: shaft in revolutions, mV/V or V by channel."""
 
     first_sample: int
     shaft_revolutions: Array
@@ -36,7 +36,7 @@ class WiredSignals:
 
 
 def terminals(samples: Samples, free: Mapping[str, Array]) -> WiredSignals:
-    """Return the plant's signals by the names of their channels, those of free ones beside them."""
+    """Return the plant's signals by the names of their channels, including the free ones."""
     wired = (samples.bridge_1, samples.bridge_2, samples.probe_1, samples.probe_2)
     names = (channel.name for channel in BASE.sampled)
     analog = {**dict(zip(names, wired, strict=True)), **free}
@@ -46,14 +46,14 @@ def terminals(samples: Samples, free: Mapping[str, Array]) -> WiredSignals:
 class SignalFault(enum.StrEnum):
     """The faults of a signal; the comment names the ``value`` of each."""
 
-    STUCK_VALUE = "stuck_value"  # the input keeps the value it had
+    STUCK_VALUE = "stuck_value"  # the input keeps its value
     SATURATED_INPUT = "saturated_input"  # sign of the overload, +1 by default
     BROKEN_BRIDGE_WIRE = "broken_bridge_wire"  # the bridge's input floats to one side
     SLIP_RING_SPIKES = "slip_ring_spikes"  # mV/V, about ``rate_per_s`` of them, either sign
-    MOVED_PROBE = "moved_probe"  # V by which a probe's signal differs from then on
+    MOVED_PROBE = "moved_probe"  # offset of a probe's signal, V
     SWAPPED_BRIDGES = "swapped_bridges"  # the two bridges' plugs are exchanged
-    SWINGING_WEIGHT = "swinging_weight"  # share of the signal by which it goes to and fro
-    JAM = "jam"  # N m of dry friction on the shaft
+    SWINGING_WEIGHT = "swinging_weight"  # amplitude as a share of the signal
+    JAM = "jam"  # dry friction on the shaft, N m
     REVERSED_ENCODER = "reversed_encoder"  # lines A and B of the crank encoder are exchanged
     CLOCK_DRIFT = "clock_drift"  # ppm by which the device samples faster than it states
 
@@ -70,7 +70,7 @@ _DEFAULTS = {
 
 
 class Disturbances:
-    """Apply the active signal faults to the samples; the same for every division into chunks."""
+    """Apply the active signal faults to the samples, independent of the division into chunks."""
 
     def __init__(self, seed: int) -> None:
         self._seed = np.uint64(seed % 2**64)
@@ -80,23 +80,23 @@ class Disturbances:
 
     @property
     def jam_Nm(self) -> float:
-        """Return the dry friction on the shaft beyond the bearing's."""
+        """Return the dry friction on the shaft in addition to the bearing's."""
         return self._channels.get((SignalFault.JAM, _SHAFT), 0.0)
 
     @property
     def clock(self) -> float:
-        """Return the true sample rate over the stated one."""
+        """Return the ratio of the true to the stated sample rate."""
         return 1.0 + 1e-6 * self._channels.get((SignalFault.CLOCK_DRIFT, _SHAFT), 0.0)
 
     def start(self, fault: SignalFault, channel: str, value: float | None, rate: float) -> None:
-        """Let a fault begin; channel: by its name, "" for both forces."""
+        """Begin a fault; channel: by its name, "" for both forces."""
         if fault is SignalFault.SLIP_RING_SPIKES:
             self._spike_rate = rate
         for name in _terminals(fault, channel):
             self._channels[fault, name] = _DEFAULTS.get(fault, 1.0) if value is None else value
 
     def stop(self, fault: SignalFault, channel: str) -> None:
-        """Let a fault end."""
+        """End a fault."""
         for name in _terminals(fault, channel):
             self._channels.pop((fault, name), None)
             self._stuck.pop(name, None)
@@ -148,9 +148,9 @@ def _terminals(fault: SignalFault, channel: str) -> tuple[str, ...]:
     return (channel,) if channel else BRIDGES
 
 
-# Disturbances of probes and load cell in a laboratory: drift, warmth, a touch, creep.
+# Disturbances of probes and load cell in a laboratory: drift, temperature, a touched probe, creep.
 #
-# All of it is off by default. What depends on time or revolutions alone is the same for every
+# All are off by default. Those that depend on time or revolutions only are the same for every
 # division into chunks and every test of one seed; creep of the cell depends on its past load.
 
 _WANDER = np.uint64(33)
@@ -184,7 +184,7 @@ class Interference:
 def _probe_um(
     plant: PlantSection, probe: int, turns: Array, warm_s: Array, seed: np.uint64
 ) -> Array | None:
-    """Return the disturbance of a probe, um; None where nothing is switched on."""
+    """Return the disturbance of a probe, um; None if all are off."""
     parts = []
     if plant.probe_wander_um:
         slow = wander(turns / plant.probe_wander_revolutions, seed, probe)
@@ -199,8 +199,8 @@ def _probe_um(
 def wander(at: Array, seed: np.uint64, which: int) -> Array:
     """Return coloured standard noise at times (n,) in units of its correlation length.
 
-    Between independent numbers at whole times it blends as cosine and sine of a quarter circle, so
-    that it has the same variance everywhere.
+    Independent numbers at whole times are interpolated with cosine and sine weights of a quarter
+    circle, so that the variance is constant.
     """
     if not at.size:
         return at
@@ -218,9 +218,9 @@ def wander(at: Array, seed: np.uint64, which: int) -> Array:
 
 @njit(types.Tuple((float64[::1], float64))(float64[::1], float64, float64), cache=True)
 def _lagging(values: Array, keeps: float, rest: float) -> tuple[Array, float]:
-    """Return values after a lag of first order, and what remains of it for those that follow.
+    """Return values after a first-order lag, and its final state for the next values.
 
-    A filter of ``scipy.signal`` does the same, and loads for a second at each start of a rig.
+    Not by ``scipy.signal``, whose import takes a second at each start of a rig.
     """
     lag = np.empty_like(values)
     for i in range(values.shape[0]):
@@ -230,7 +230,7 @@ def _lagging(values: Array, keeps: float, rest: float) -> tuple[Array, float]:
 
 
 class _Creep:
-    """The creep of a bridge: a part of a lasting load, delayed."""
+    """Creep of a bridge: a delayed share of a lasting load."""
 
     def __init__(self, plant: PlantSection, zero: float) -> None:
         self._share = plant.cell_creep_percent / 100.0
@@ -239,7 +239,7 @@ class _Creep:
         self._rest = 0.0
 
     def added(self, signal: Array, sample_rate_Hz: float) -> Array:
-        """Return a signal (mV/V) with the creep of all earlier load."""
+        """Return a signal (mV/V) with the creep of all previous load."""
         keeps = math.exp(-1.0 / (sample_rate_Hz * self._time_s))
         lag, self._rest = _lagging(signal - self._zero, keeps, self._rest)
         return np.asarray(signal + self._share * lag)

@@ -1,27 +1,27 @@
-"""The fault list as data, and its timetable.
+"""Read fault files, and begin and end the faults on time.
 
 A fault file is TOML::
 
     schema = 1
     [[fault]]
-    kind = "cable_pull"       # what
-    device = "daq"            # where: a device of the rig file (wire and device faults)
-    at_revolution = 10.0      # when: at_s or at_revolution of the plant, at once without either
-    duration_s = 2.0          # for how long; without it, for good
+    kind = "cable_pull"
+    device = "daq"            # device of the rig file (wire and device faults)
+    at_revolution = 10.0      # start: at_s or at_revolution of the plant, at once without either
+    duration_s = 2.0          # permanent without it
     [[fault]]
     kind = "stuck_value"
     channel = "probe_1"       # signal faults: force_1 ... probe_2, or a free channel with an input
     at_s = 30.0
 
 Triggers are in plant time. The duration of a signal fault is plant time; that of a wire or device
-fault is the wall clock's, as are the times of wire, drive's watchdog and host's time-outs.
+fault is wall-clock time, as are the times of wire, drive's watchdog and host's time-outs.
 
-Wire: cable_pull, hang (what is sent is lost), hold (it comes late, at once), garbage (value:
-bytes), truncated (value: bytes), split (value: bytes a piece), slow (value: s). Signal: see
-``disturbances.SignalFault``; slip_ring_spikes also takes rate_per_s. Any other kind goes to the
-device's simulator, which has its own list; value, count and target (command number or object index)
-go with it. Every simulated drive has ignored_command (confirmed, not executed), false_readback (it
-reports no power), false_standstill (its encoder is dead: it reports a standstill),
+Wire: cable_pull, hang (sent data are lost), hold (sent data are delayed, then delivered together),
+garbage (value: bytes), truncated (value: bytes), split (value: bytes per piece), slow (value: s).
+Signal: see ``disturbances.SignalFault``; slip_ring_spikes also has rate_per_s. Any other kind is
+passed to the device's simulator, which has its own list, with value, count and target (command
+number or object index). Every simulated drive has ignored_command (confirmed, not executed),
+false_readback (it reports no power), false_standstill (its encoder is dead: it reports standstill),
 turns_by_itself, slow_command (value: s until it is confirmed), restart_unseen and watchdog_lost.
 """
 
@@ -45,7 +45,7 @@ from rigapp.texts import joined
 
 WIRE_KINDS = frozenset(WireFault)
 SIGNAL_KINDS = frozenset(SignalFault)
-"""Their duration is plant time."""
+"""Fault kinds whose duration is plant time."""
 
 
 class FaultFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -59,10 +59,10 @@ class Victim(Protocol):
     """The target of faults: the simulated rig."""
 
     def begin(self, fault: FaultRecord) -> None:
-        """Let a fault begin."""
+        """Begin a fault."""
 
     def end(self, fault: FaultRecord) -> None:
-        """Let a fault end."""
+        """End a fault."""
 
 
 def read_faults(path: Path) -> tuple[FaultRecord, ...]:
@@ -77,7 +77,7 @@ def read_faults(path: Path) -> tuple[FaultRecord, ...]:
 
 
 def fault_of(tree: dict[str, Any]) -> FaultRecord:
-    """Return the fault of a control message's table; raise UnusableInput."""
+    """Return the fault in a control message's table; raise UnusableInput."""
     try:
         return msgspec.convert(tree, FaultRecord)
     except msgspec.ValidationError as error:
@@ -85,7 +85,7 @@ def fault_of(tree: dict[str, Any]) -> FaultRecord:
 
 
 def check_fault(fault: FaultRecord, devices: Sequence[str], channels: ChannelTable) -> None:
-    """Refuse a fault that names no device of the rig or no input; raise UnusableInput."""
+    """Check that a fault names a device of the rig or an input; raise UnusableInput."""
     if fault.kind in SIGNAL_KINDS:
         _check_channel(fault, channels)
         return
@@ -100,7 +100,7 @@ def check_fault(fault: FaultRecord, devices: Sequence[str], channels: ChannelTab
 
 
 def _check_channel(fault: FaultRecord, channels: ChannelTable) -> None:
-    """Refuse a signal fault whose channel has no input that it could be on."""
+    """Check that the channel of a signal fault has an input; raise UnusableInput."""
     where, name = f"fault {fault.kind}: channel", fault.channel
     known = [channel.name for channel in channels.sampled]
     if fault.kind == SignalFault.SWAPPED_BRIDGES:
@@ -119,18 +119,18 @@ def _check_channel(fault: FaultRecord, channels: ChannelTable) -> None:
 
 
 class Timetable:
-    """Begin and end faults when their time has come."""
+    """Begin and end faults when they are due."""
 
     def __init__(self, faults: Sequence[FaultRecord] = ()) -> None:
         self._waiting = list(faults)
         self._active: list[tuple[FaultRecord, float]] = []
 
     def add(self, fault: FaultRecord) -> None:
-        """Put a fault on the timetable."""
+        """Add a fault."""
         self._waiting.append(fault)
 
     def act(self, victim: Victim, now_s: float, plant_s: float, revolutions: float) -> None:
-        """Begin what is due and end what is over."""
+        """Begin the faults that are due and end those that have expired."""
         for fault in [f for f in self._waiting if _due(f, plant_s, revolutions)]:
             self._waiting.remove(fault)
             victim.begin(fault)
@@ -144,7 +144,7 @@ class Timetable:
                 victim.end(fault)
 
     def clear(self, victim: Victim, kind: str) -> None:
-        """End the active faults of a kind now and forget the waiting ones."""
+        """End the active faults of a kind now and remove the pending ones."""
         self._waiting = [fault for fault in self._waiting if fault.kind != kind]
         for entry in [e for e in self._active if e[0].kind == kind]:
             self._active.remove(entry)

@@ -1,4 +1,4 @@
-"""Both ends of the simulated rig as a process: start and control it, execute its commands."""
+"""Start and control the simulated rig as a process, and execute its commands in that process."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ from rigapp.texts import joined, say
 if TYPE_CHECKING:
     from rigapp.simulation.rig import RigSimulation
 
-ANSWER_S = 30.0  # of a process that answers in ms, on a computer that stalls now and then
+ANSWER_S = 30.0  # replies take ms, but the computer may stall
 START_S = 180.0
-"""After a change the first start compiles the kernels of the plant; a busy computer needs long."""
+"""After a change the first start compiles the kernels of the plant, slowly on a busy computer."""
 FOLDER = "rigapp-sim-"
-"""How the names of temporary folders begin; the process id of the owner follows."""
-_CLOSE_S = 5.0  # then it is killed: nothing is lost in it
+"""Prefix of the names of temporary folders; the process id of the owner follows."""
+_CLOSE_S = 5.0  # then the process is killed, which loses no data
 
 
 class SimulationFailed(Exception):
-    """The simulated rig's process did not start, has died, or does not answer."""
+    """The simulated rig's process did not start, has ended, or does not reply."""
 
 
 class SimulatedRig:
-    """Hold a running simulated rig; ``urls`` gives a URL a device of the rig file."""
+    """A running simulated rig; ``urls``: device of the rig file -> URL."""
 
     def __init__(self, process: Child, urls: dict[str, str]) -> None:
         self.urls = urls
@@ -49,11 +49,11 @@ class SimulatedRig:
         return self._process.pid
 
     def alive(self) -> bool:
-        """Return whether the process runs."""
+        """Return whether the process is running."""
         return self._process.running
 
     def inject(self, fault: Mapping[str, object]) -> None:
-        """Let a fault happen; raise UnusableInput, SimulationFailed.
+        """Inject a fault; raise UnusableInput, SimulationFailed.
 
         Keys as in a fault file; its kind may also be under ``fault``, as on the control channel.
         """
@@ -67,18 +67,18 @@ class SimulatedRig:
         self._obey({"clear": kind})
 
     def hand(self, what: str, **details: Any) -> None:
-        """Carry out an action of ``simulated_operator``; raise UnusableInput, SimulationFailed."""
+        """Perform an action of ``simulated_operator``; raise UnusableInput, SimulationFailed."""
         self._obey({"hand": what, **details})
 
     def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
-        """Wear the bushing as an earlier test left it; the crank must be stationary.
+        """Set the bushing's wear to that of an earlier test; the crank must be stationary.
 
-        Without an area it follows from the depth. Raises UnusableInput, SimulationFailed.
+        Without an area it is derived from the depth. Raises UnusableInput, SimulationFailed.
         """
         self._obey({"state": {"wear_depth_um": depth_um, "worn_area_mm2": area_mm2}})
 
     def state(self) -> dict[str, Any]:
-        """Return the plant's truth: angle, speed, wear, drive, links; raise SimulationFailed."""
+        """Return the plant's true angle, speed, wear, drive, links; raise SimulationFailed."""
         return self._obey({"query": "state"})
 
     def close(self) -> None:
@@ -114,11 +114,11 @@ def start_simulated_rig(
     truth: Path | None = None,
     timeout_s: float = START_S,
 ) -> SimulatedRig:
-    """Start the devices of a rig file in a process of their own and wait until they answer.
+    """Start the devices of a rig file in a separate process and wait until they are ready.
 
-    parameters: the mechanism, the packaged one if None. The process outlives this one until the
-    spindle stands still, at most 10 s, and does not get this one's Ctrl-C. Raises UnusableInput
-    with the process's own sentence, SimulationFailed when it dies otherwise or is late.
+    parameters: the mechanism, the packaged one if None. If this process ends, the other continues
+    until the spindle is stationary, at most 10 s; it does not receive this one's Ctrl-C. Raises
+    UnusableInput with the process's message, SimulationFailed on another failure or time-out.
     """
     options: list[object] = ["--speed", speed, "--exit-with-parent"]
     options += ["--faults", faults] if faults is not None else []
@@ -140,7 +140,7 @@ def start_simulated_rig(
 
 
 def _failure(process: Child, error: OSError) -> Exception:
-    """Return why a rig has not started; end its process."""
+    """End the process of a rig that did not start, and return the error."""
     with contextlib.suppress(subprocess.TimeoutExpired):
         if not isinstance(error, TimeoutError):
             process.wait(_CLOSE_S)
@@ -173,19 +173,18 @@ def _read_line(process: Child, timeout_s: float) -> bytes:
 # {"state": {"wear_depth_um": 12.5, "worn_area_mm2": 0.3}}           -> {"ok": true}
 # anything else                                                      -> {"error": "a sentence"}
 #
-# ``state`` sets what an earlier test has left in the machine, before a test is resumed on a rig
-# that was restarted: the bushing's wear, by its depth at the contact and, if it is known, the worn
-# area (else it follows from the depth). The crank must be stationary without drive. Keys are those
-# of the answer to ``query``.
+# ``state`` restores the wear of an earlier test before it is resumed on a restarted rig: the depth
+# at the contact and, if known, the worn area (else derived from the depth). The crank must be
+# stationary without drive. The keys are those of the reply to ``query``.
 #
-# A new command is one more verb in ``VERBS``: a function of the rig and the message's table.
+# A new command is another verb in ``VERBS``: a function of the rig and the message's table.
 
 Table = dict[str, Any]
 LONGEST_LINE = 65536
 
 
 def _inject(rig: RigSimulation, message: Table) -> Table:
-    from rigapp.simulation.faults import fault_of  # loads the plant, which the parent does not need
+    from rigapp.simulation.faults import fault_of  # imports the plant, not needed by the parent
 
     data = dict(message)
     data["kind"] = data.pop("fault")
@@ -214,7 +213,7 @@ def _hand(rig: RigSimulation, message: Table) -> Table:
 
 
 class WornState(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """The values that ``state`` sets."""
+    """Values set by ``state``."""
 
     wear_depth_um: float
     worn_area_mm2: float | None = None
@@ -239,7 +238,7 @@ VERBS: Mapping[str, Callable[[RigSimulation, Table], Table]] = {
 
 
 def answer(rig: RigSimulation, line: bytes) -> bytes:
-    """Execute one line and return the answer, with its newline."""
+    """Execute one line and return the reply, with its newline."""
     try:
         message = msgspec.json.decode(line, type=dict[str, Any])
         verbs = [verb for verb in VERBS if verb in message]
@@ -254,13 +253,13 @@ def answer(rig: RigSimulation, line: bytes) -> bytes:
 
 
 class Lines:
-    """Cut what arrives into lines; a line without end is dropped at 64 KiB."""
+    """Split received bytes into lines; a line without end is dropped at 64 KiB."""
 
     def __init__(self) -> None:
         self._rest = b""
 
     def feed(self, data: bytes) -> list[bytes]:
-        """Return the lines that are complete, without empty ones."""
+        """Return the complete, non-empty lines."""
         *lines, self._rest = (self._rest + data).split(b"\n")
         if len(self._rest) > LONGEST_LINE:
             self._rest = b""

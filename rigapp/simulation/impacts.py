@@ -1,23 +1,23 @@
-"""The plant whose pin may leave the wall: slider and follower move freely within the clearance.
+"""Plant with loss of contact: slider and follower move freely within the clearance.
 
 Coordinates: crank angle t, slider x and follower angle p, each with its speed. The gap between pin
-and bore follows from them, and the contact's force is what holds them together::
+and bore follows from them, and determines the contact force::
 
-    N = K(d) + 2 z K(d) sqrt(m / (2 E(d))) d'      0 where that is a pull
+    N = K(d) + 2 z K(d) sqrt(m / (2 E(d))) d'      0 if negative (tension)
 
 d: penetration; K: elastic force of the simulator's own wall (``wall``: closed-form waves of a ring,
-conformal, not the model's elements nor a law of its list); E: its integral; m: mass that an impact
-along the normal moves; z: damping. In y = sqrt(2 E / m), the speed v and a time that counts y / d'
-this is the oscillator v' = -y - 2 z v: every impact returns the same part e of its speed, however
-fast it is and whatever K(d) is (Antypov and Elliott, EPL 94, 2011, 50004, for Hertz's law). The
-contact ends where v' = 0 (Schwager and Poeschel, Granular Matter 9, 2007, 465)::
+conformal, neither the model's elements nor one of its contact laws); E: its integral; m: effective
+mass along the normal; z: damping. In y = sqrt(2 E / m), the speed v and a time scaled by y / d'
+this is the oscillator v' = -y - 2 z v: the coefficient of restitution e is the same at any speed
+and for any K(d) (Antypov and Elliott, EPL 94, 2011, 50004, for Hertz's law). The contact ends where
+v' = 0 (Schwager and Poeschel, Granular Matter 9, 2007, 465)::
 
     e = exp(-2 z arccos(z) / sqrt(1 - z^2))        z < 1; hyperbolic beyond
 
-Friction acts on the sliding speed of the surfaces. A worn bore is a circle that reaches deeper by
-the wear where the pin usually presses, and not at all on the other side. Steps of Runge-Kutta so
-short that the stiffest contact swings by SWING in each; one that would pass the moment at which pin
-and bore touch or part ends there, so that no impact gains energy.
+Friction depends on the sliding speed of the surfaces. A worn bore is a circle that is deeper by the
+wear on the usually loaded side, and unchanged on the other. Runge-Kutta steps are so short that the
+phase of the stiffest contact advances by SWING; a step that would pass the moment of touching or
+separation ends there, so that no impact gains energy.
 """
 
 # mypy: disable-error-code="untyped-decorator, no-any-return"
@@ -63,20 +63,20 @@ from rigapp.simulation.wall import AREA as WORN_AREA
 from rigapp_model.compiled import UNCOUNTED, njit
 
 SWING = 0.12
-"""Of the stiffest contact in one step, rad: the fourth order loses 1e-7 of the speed there."""
+"""Phase of the stiffest contact per step, rad: the fourth order then loses 1e-7 of the speed."""
 TOUCH_M = 1e-10
-"""Pin and bore touch within this penetration; impacts press a thousand times deeper at least."""
+"""Penetration tolerance of touching; impacts penetrate at least a thousand times deeper."""
 MOST_CUTS = 8
-"""Secant steps to the moment of touch; three suffice at usual speeds."""
+"""Maximum secant steps to the moment of touch; three suffice at usual speeds."""
 SLIDING_M_PER_S = 1e-3
-"""Friction grows to 0.7 of its size up to this sliding speed."""
+"""Sliding speed at which friction reaches 0.7 of its full value."""
 REST_M_PER_S, REST_M_PER_S2 = 1e-6, 1e-3
-"""Below both, slider and follower have come to rest while the crank is stationary."""
+"""Below both, slider and follower are at rest while the crank is stationary."""
 AT_CENTRE_M = 1e-15
 
 
 def damping_of(restitution: float) -> float:
-    """Return z for the part of its speed (above 0, at most 1) that an impact returns."""
+    """Return z for a coefficient of restitution (above 0, at most 1)."""
 
     def returned(z: float) -> float:
         if z < 1.0:
@@ -104,7 +104,7 @@ def pressed(table: Array, wall_state: Array, depth: float) -> tuple[float, float
         low, high = table[level, APPROACH], table[level + 1, APPROACH]
         bottom = wall_state[TOP] * (level / LEVELS) ** 2
         stiffness = wall_state[TOP] * (2.0 * level + 1.0) / (LEVELS * LEVELS * (high - low))
-        # Beyond the highest force of the table its last slope goes on.
+        # Extrapolate linearly beyond the highest force of the table.
         deeper = depth - low if level == LEVELS - 1 else min(depth, high) - low
         force = bottom + stiffness * deeper
         energy += (bottom + 0.5 * stiffness * deeper) * deeper
@@ -118,16 +118,16 @@ TOUCHING = types.UniTuple(F, 12)
 
 @njit(TOUCHING(CONSTANTS, SQUARE, ROW, ROW, F), **UNCOUNTED)
 def touch(k: Constants, table: Array, wall_state: Array, state: Array, turns: float) -> Numbers:
-    """Return the state of the joint at one moment; forces are those on the follower by the pin.
+    """Return the state of the joint at one moment; forces act on the follower by the pin.
 
     (Fx, Fy, normal force, elastic force, its energy, penetration, its rate, sliding speed,
-    friction, normal x, normal y, mass along it). turns: 1, or 0 for a crank that is held.
+    friction, normal x, normal y, mass along it). turns: 1, or 0 for a locked crank.
     """
     speed, slider_speed, turning = state[SPEED], state[SLIDER_SPEED], state[FOLLOWER_SPEED]
     sin_t, cos_t = math.sin(state[ANGLE]), math.cos(state[ANGLE])
     sin_p, cos_p = math.sin(state[FOLLOWER]), math.cos(state[FOLLOWER])
     r, half = k.crank_radius, 0.5 * k.follower_length
-    # The circle of the worn bore: its radius and its centre grow by half the depth each.
+    # Circle of the worn bore: its radius grows, and its centre moves, by half the depth each.
     length = k.follower_length + 0.5 * k.lengthening_sign * state[DEPTH]
     dx = r * cos_t - state[SLIDER] + length * cos_p
     dy = r * sin_t + length * sin_p
@@ -160,7 +160,7 @@ def touch(k: Constants, table: Array, wall_state: Array, state: Array, turns: fl
 
 @njit(F(CONSTANTS, ROW, TOUCHING), **UNCOUNTED)
 def crank_load(k: Constants, state: Array, contact: Numbers) -> float:
-    """Return the torque on the crank by the contact and by its own weight, N m."""
+    """Return the torque on the crank by the contact and by its weight, N m."""
     fx, fy, _, _, _, _, _, _, _, nx, ny, _ = contact
     sin_t, cos_t = math.sin(state[ANGLE]), math.cos(state[ANGLE])
     x, y = k.crank_radius * cos_t + k.pin_radius * nx, k.crank_radius * sin_t + k.pin_radius * ny
@@ -172,7 +172,7 @@ def crank_load(k: Constants, state: Array, contact: Numbers) -> float:
 def crank_sense(
     k: Constants, d: Drive, table: Array, wall_state: Array, state: Array, fraction: float
 ) -> tuple[float, float]:
-    """Return (sense of the bearing's friction, 1 if it holds the crank at rest else 0)."""
+    """Return (sign of the bearing's friction, 1 if it holds the crank at rest else 0)."""
     if state[SPEED] != 0.0:
         return math.copysign(1.0, state[SPEED]), 0.0
     torque, _, _ = motor(k, d, state[ANGLE], 0.0, state[INTEGRAL], fraction)
@@ -193,9 +193,9 @@ def rates(
     fraction: float,
     out: Array,
 ) -> Numbers:
-    """Write the rate of each state (0 for those that do not follow a law of motion).
+    """Write the rate of each state (0 for those without an equation of motion).
 
-    Return what ``touch`` does.
+    Return the result of ``touch``.
     """
     contact = touch(k, table, wall_state, state, 1.0 - held)
     fx, fy, normal, elastic, _, _, rate, slip, rub, nx, ny, _ = contact
@@ -265,25 +265,25 @@ def runge_kutta(
 
 @njit(types.void(CONSTANTS, WALL, ROW), **UNCOUNTED)
 def foresee(k: Constants, wall: Wall, state: Array) -> None:
-    """Extend the wall's table to the force of the impact that begins.
+    """Extend the wall's table to the force of the beginning impact.
 
-    A table that changed under load would change the energy that is stored in it.
+    Changing the table under load would change the stored energy.
     """
     contact = touch(k, wall.table, wall.state, state, 1.0)
     if contact[6] > 0.0:
         energy = 0.5 * contact[11] * contact[6] * contact[6]
         _, stored = pressed(wall.table, wall.state, wall.table[LEVELS, APPROACH])
         if energy > stored:
-            # Stored energy grows at least like the force to 3/2.
+            # The stored energy grows at least with the force to the power 3/2.
             renew(wall, bore(k), wall.state[TOP] * (energy / stored) ** (2.0 / 3.0))
 
 
 @njit(types.void(CONSTANTS, WALL, ROW, F, F, types.boolean), **UNCOUNTED)
 def wear(k: Constants, wall: Wall, state: Array, force: float, slip: float, inboard: bool) -> None:
-    """Wear and warm the bushing by a force (N) that slides (m).
+    """Wear and heat the bushing by a force (N) over a sliding distance (m).
 
     inboard: the pin presses on the side of the bore towards the wrist. The depth is that of the
-    side where it usually presses; what goes to the other one counts in the worn area alone.
+    usually loaded side; wear of the other side is added to the worn area only.
     """
     if force <= 0.0:
         return
@@ -324,7 +324,7 @@ def move(
         )
         cuts = 0
         beyond = -TOUCH_M if deep > 0.0 else TOUCH_M
-        # A step ends where pin and bore touch or part: the force has a bend or a jump there.
+        # A step ends where pin and bore touch or separate: the force has a kink or a jump there.
         while deep * beyond < 0.0 and after / beyond > 2.0 and cuts < MOST_CUTS:
             step *= (beyond - deep) / (after - deep)
             to = at + (end - start) * step / dt
@@ -352,9 +352,9 @@ def move(
 def loose_views(
     k: Constants, state: Array, contact: Numbers, seen_depth: float
 ) -> tuple[float, float, float, float]:
-    """Return (F_e1, F_n1, pin along e2, pin along n2), see ``sensing.views``.
+    """Return (F_e1, F_n1, pin along e2, pin along n2), see ``kernels.views``.
 
-    seen_depth: wear and creep, m; what it exceeds the wear by is seen where the pin presses.
+    seen_depth: wear and creep, m; its excess over the wear acts on the loaded side.
     """
     fx, fy = contact[0], contact[1]
     sin_t, cos_t = math.sin(state[ANGLE]), math.cos(state[ANGLE])
@@ -370,7 +370,7 @@ def loose_views(
 
 @njit(types.void(CONSTANTS, SQUARE, ROW, ROW), **UNCOUNTED)
 def settle(k: Constants, table: Array, wall_state: Array, state: Array) -> None:
-    """Put slider and follower where the resting pin presses on the wall, without speed."""
+    """Set slider and follower to where the resting pin presses on the wall, at zero speed."""
     fx, fy, force = resting(k, state[ANGLE], state[DEPTH])
     length = k.follower_length + 0.5 * k.lengthening_sign * state[DEPTH]
     reach = k.clearance + 0.5 * state[DEPTH] + looked_up(table, wall_state, force, APPROACH)
@@ -388,7 +388,7 @@ def settle(k: Constants, table: Array, wall_state: Array, state: Array) -> None:
 def loose_energy(
     k: Constants, table: Array, wall_state: Array, state: Array
 ) -> tuple[float, float]:
-    """Return (kinetic, potential) energy in J; potential: spring, weight and the pressed wall."""
+    """Return (kinetic, potential) energy in J; potential: spring, weight and deformed wall."""
     m2, half = k.follower_mass, 0.5 * k.follower_length
     sin_p, cos_p = math.sin(state[FOLLOWER]), math.cos(state[FOLLOWER])
     slider_speed, turning = state[SLIDER_SPEED], state[FOLLOWER_SPEED]

@@ -1,8 +1,8 @@
-"""The compiled plant's sensors and its time stepping.
+"""Sensors and time stepping of the compiled plant.
 
-Classical Runge-Kutta of fourth order, fixed step. Dry friction keeps its sense within a step; a
-step that would reverse the crank ends at rest, and the next one decides whether friction holds it.
-A joint that may lose contact takes shorter steps of its own (``impacts``).
+Classical Runge-Kutta of fourth order, fixed step. Dry friction keeps its sign within a step; a step
+that would reverse the crank ends at rest, and the next one decides whether friction holds it. A
+joint that may lose contact uses shorter steps (``impacts``).
 """
 
 # mypy: disable-error-code="untyped-decorator, no-any-return"
@@ -87,18 +87,18 @@ from rigapp_model.compiled import UNCOUNTED, njit
 #
 # Frames: the load cell sits in the pin, which is clamped to the crank, so it measures in the crank
 # frame, and it measures the force ON THE PIN, which is -F. The probes are clamped to the follower.
-# The pin leans against the bushing in the direction of the normal force on the follower: with the
+# The pin touches the bushing in the direction of the normal force on the follower: with the
 # follower in tension (F_e2 < 0) its centre is at -c along e2, c = running clearance + wear +
-# elastic approach. In the mechanics the follower's length has clearance and wear, not the approach,
-# which is a hundred times smaller. Noise depends on seed, kind and sample number only, not on the
-# grouping of samples. Samples count again from every departure from rest, and the drift begins with
-# the first one: the time at rest before it does not change a test of the same seed.
+# elastic approach. In the mechanics the follower's length includes clearance and wear, not the
+# approach, which is a hundred times smaller. Noise depends on seed, kind and sample number only,
+# not on the grouping of samples. Sample numbers restart at every departure from rest, and drift
+# begins with the first one: the time at rest before it does not change a test of the same seed.
 
 U = types.uint64
 FREE_NOISE = 100
-"""Kinds of the noise of free inputs begin here, behind those of cell, probes and spikes."""
+"""First noise kind of the free inputs, after those of cell, probes and spikes."""
 REST_FORCE = 0.05
-"""Below about this force (N) the pin floats off the wall towards the bushing's centre."""
+"""Force in N below which the pin leaves the wall towards the bushing's centre."""
 
 
 @njit(uint64(U, U, U), forceinline=True, **UNCOUNTED)
@@ -136,7 +136,7 @@ def uniform(seed: np.uint64, kind: np.uint64, first: int, count: int) -> Array:
 
 @njit(float64(float64[:, ::1], int64, int64, F), forceinline=True, **UNCOUNTED)
 def delayed(ring: Array, row: int, head: int, steps: float) -> float:
-    """Return the value of ``steps`` steps ago: cubic Lagrange through the four nearest points."""
+    """Return the value ``steps`` steps ago, by cubic Lagrange interpolation of four points."""
     if steps == 0.0:
         return ring[row, head]
     size = ring.shape[1]
@@ -171,10 +171,10 @@ def views(
 ) -> tuple[float, float, float, float]:
     """Return (F_e1, F_n1, pin along e2, pin along n2): N, N, m, m.
 
-    F is the normal force turned by the friction angle in the sense of sliding; an eccentric pin
-    adds its run-out, which turns with the pin against the follower. On the bench the pin carries
-    the weight alone (its force on the pin is -F, so the sign turns) and the probes see micrometers.
-    position: from ``geometry``.
+    F is the normal force rotated by the friction angle in the sliding direction; an eccentric pin
+    adds its run-out, which rotates with the pin relative to the follower. On the bench the pin
+    carries the weight only (its force on the pin is -F, so the sign is reversed) and the probes
+    measure micrometers. position: from ``geometry``.
     """
     sin_t, cos_t, sin_p, cos_p, _, _, _, _, _ = position
     if k.bench == 1.0:
@@ -216,15 +216,15 @@ def emit(
     out: Array,
     column: int,
 ) -> None:
-    """Write one sample: the terminals (analog late by the delay, encoder not) and the truth."""
+    """Write one sample: the terminals (analog signals delayed, encoder not) and the truth."""
     time = state[TIME]
     warm = time - state[WARM]
     noise_1, noise_2 = normal_pair(seed, np.uint64(1), index)
     noise_3, noise_4 = normal_pair(seed, np.uint64(2), index)
     angle = state[ANGLE]
-    # The weight outboard of the gauges is no force of the follower; the delay of its signal is left
-    # out, which would change it by thousandths.
-    # Weights hang from a crank that turns upright; in a test the plane is that of the mechanism.
+    # The weight outboard of the gauges is no force of the follower; the delay of its signal is
+    # neglected, which would change it by thousandths.
+    # On the bench the crank's plane is vertical; in a test it is that of the mechanism.
     pull_x = k.pin_mass * (1.0 - k.bench) * k.gravity_x
     pull_y = k.pin_mass * ((1.0 - k.bench) * k.gravity_y - k.bench * STANDARD_GRAVITY_M_S2)
     sine, cosine = math.sin(angle), math.cos(angle)
@@ -260,7 +260,7 @@ CREEP_BEGINS_S = 60.0
 
 @njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, float64[::1], F), forceinline=True, **UNCOUNTED)
 def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tuple[float, float]:
-    """Return (sense of dry friction, 1 if it holds the crank at rest else 0)."""
+    """Return (sign of dry friction, 1 if it holds the crank at rest else 0)."""
     if state[SPEED] > 0.0:
         return 1.0, 0.0
     if state[SPEED] < 0.0:
@@ -296,8 +296,8 @@ def turn(
 ) -> None:
     """Advance the turning crank by one step.
 
-    first is the acceleration at its start, position the result of ``geometry``. start and end: of
-    the step in the chunk, 0 ... 1, for the set-point between its ends.
+    first: acceleration at its start; position: from ``geometry``. start and end: of the step in the
+    chunk, 0 ... 1, to interpolate the set-point.
     """
     half = 0.5 * dt
     middle = 0.5 * (start + end)
@@ -369,11 +369,11 @@ def advance(
     delay_steps: float,
     seed: np.uint64,
 ) -> int:
-    """Advance by ``steps`` steps of dt; write the samples that fall due and return their number.
+    """Advance by ``steps`` steps of dt; write the samples that are due and return their number.
 
     A sample is taken at the start of every steps_per_sample-th step. State, counters, ring and wall
-    carry everything over: under a constant command the result does not depend on how the steps are
-    cut into calls. ring: (4, size) past results of ``views``, newest at counters[HEAD].
+    hold the complete state: with a constant command the result does not depend on the division of
+    the steps into calls. ring: (4, size) past results of ``views``, newest at counters[HEAD].
     """
     samples = 0
     size = ring.shape[1]

@@ -1,4 +1,4 @@
-"""The data of the compiled plant: its constants, the drive's command, its state, its output.
+"""Data layout of the compiled plant: constants, drive command, state, output.
 
 SI units.
 """
@@ -18,15 +18,15 @@ STANDARD_GRAVITY_M_S2 = 9.80665
 class Constants(NamedTuple):
     """The constants of the plant; SI units.
 
-    see: part of the motion along and across the follower that each probe measures (its direction).
-    bench: 1 with the follower taken off, for calibration: the pin then carries a weight (N, towards
-    -y) and the probes face micrometers (m); 0 with the mechanism together. outboard: mass of the
-    pin outboard of the gauges times its radius, kg m; its inertia presses the cell outward.
-    running_in, wear_change: how K changes with the depth, see ``Plant.wear_coefficient``.
-    heating: how far above the room a power of friction in the joint brings the bushing in the end,
-    and the time in which it gets there but for 1/e. pin_mass: kg, outboard of the gauges; its
-    weight turns about the cell. creep: m, of the bushing in a decade of time. loose: 1 where the
-    pin may leave the wall (``impacts``), then with impact_damping; 0 where it always touches.
+    see: direction of each probe, as components along and across the follower. bench: 1 with the
+    follower removed, for calibration: the pin then carries a weight (N, towards -y) and the probes
+    face micrometers (m); 0 with the mechanism assembled. outboard: mass of the pin outboard of the
+    gauges times its radius, kg m; its inertia loads the cell outward. running_in, wear_change:
+    dependence of K on the depth, see ``Plant.wear_coefficient``. heating: steady-state temperature
+    rise of the bushing per friction power in the joint, and its time constant. pin_mass: kg,
+    outboard of the gauges; its weight rotates relative to the cell. creep: m, of the bushing per
+    decade of time. loose: 1 if the pin may leave the wall (``impacts``), with impact_damping; 0 if
+    it always touches.
     """
 
     crank_radius: float
@@ -100,9 +100,9 @@ class Constants(NamedTuple):
 
 
 class Drive(NamedTuple):
-    """The input of the motor during one call: mode, set-point at both ends, duty, supply.
+    """Input of the motor during one call: mode, set-point at both ends, duty, supply.
 
-    extra_friction_Nm: dry friction on the shaft beyond the bearing's (a jam).
+    extra_friction_Nm: dry friction on the shaft in addition to the bearing's (a jam).
     """
 
     mode: float
@@ -136,13 +136,13 @@ OFF, VELOCITY, DUTY = 0.0, 1.0, 2.0
     FOLLOWER_SPEED,
 ) = range(18)
 STATES = 18
-"""State vector: rad, rad/s, N m, m, m^2, N, s, N m, A, J, J, rad/s^2, s (when drift began),
+"""State vector: rad, rad/s, N m, m, m^2, N, s, N m, A, J, J, rad/s^2, s (start of the drift),
 K (of the bushing above the room); of a joint that may lose contact: m, m/s, rad, rad/s."""
 
 SAMPLE, PHASE, HEAD, DEPARTURES, DEPARTED_AT, HELD = range(6)
 COUNTERS = 6
 EPOCH = 40
-"""Bits of the noise's index that count samples; those above count departures."""
+"""Bits of the noise index for the sample number; the higher ones count departures."""
 
 (
     OUT_SHAFT,
@@ -161,4 +161,4 @@ EPOCH = 40
 ) = range(13)
 ROWS = 13
 """Rows of the output: revolutions, mV/V, mV/V, V, V, s, rad, rad/s, N, N, m, K, s since the first
-departure from rest (0 before it); rows behind these hold standard normal noise, one an input."""
+departure from rest (0 before it); the following rows are standard normal noise, one per input."""

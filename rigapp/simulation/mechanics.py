@@ -1,4 +1,4 @@
-"""The compiled plant's mechanics: slider-crank with a joint that rubs, and its motor.
+"""Mechanics of the compiled plant: slider-crank with joint friction, and its motor.
 
 Generalised coordinate: the crank angle t. With sin p = -r sin t / l (p the follower's angle, l the
 distance from crank pin to wrist) the velocity of every body is a coefficient (primed) times the
@@ -8,7 +8,7 @@ crank speed w, and Lagrange's equation is::
     Q = motor - bearing + Fs x3' + weight - M (1 - p')
 
 The follower is longer by the running clearance c on the side of the pin (pin to centre of mass
-L/2 + c), shorter when the spring keeps it in compression. M is the friction couple of the joint,
+L/2 + c), shorter if the spring keeps it in compression. M is the friction couple of the joint,
 mu / sqrt(1 + mu^2) R1 |F|: the tangential force mu N acts at the pin's surface and |F|^2 =
 N^2 (1 + mu^2). |F| depends on the acceleration: fixed-point iteration, contraction about mu R1 / L,
 two passes. F then follows from the same instant's acceleration (Newton-Euler on slider, follower).
@@ -31,7 +31,7 @@ CONSTANTS = types.NamedUniTuple(float64, len(Constants._fields), Constants)
 DRIVE = types.NamedUniTuple(float64, len(Drive._fields), Drive)
 
 WANDER = 0.137
-"""Turns of the slow wander of the speed a turn of the crank."""
+"""Cycles of the slow speed wander per crank turn."""
 
 
 POSITION = types.UniTuple(F, 9)
@@ -56,7 +56,7 @@ def geometry(k: Constants, angle: float, depth: float) -> Numbers:
 
 @njit(types.UniTuple(F, 15)(CONSTANTS, F, F), forceinline=True, **UNCOUNTED)
 def bodies(k: Constants, angle: float, depth: float) -> Numbers:
-    """Return the coefficients of one position.
+    """Return the coefficients of Lagrange's equation at one position.
 
     (sin p, cos p, p', p'', x3', x3'', x2', x2'', y2', y2'', arm, spring force, J, J'/2, Q of spring
     and weight); arm is the distance from pin to centre of mass.
@@ -113,7 +113,7 @@ def motion(
 ) -> tuple[float, float, float, float, float]:
     """Return (acceleration, Fx, Fy, |F|, friction torque) while the crank turns or breaks away.
 
-    sense is the sense of dry friction, +1 or -1, or 0 for none.
+    sense: sign of dry friction, +1 or -1, or 0 for none.
     """
     b = bodies(k, angle, depth)
     p1 = b[2]
@@ -138,7 +138,7 @@ def motion(
 
 @njit(types.UniTuple(F, 3)(CONSTANTS, F, F), **UNCOUNTED)
 def resting(k: Constants, angle: float, depth: float) -> tuple[float, float, float]:
-    """Return (Fx, Fy, |F|) of the crank held at rest, no friction in the joint."""
+    """Return (Fx, Fy, |F|) of the crank held at rest, without joint friction."""
     fx, fy = reaction(k, bodies(k, angle, depth), 0.0, 0.0, 0.0)
     return fx, fy, math.sqrt(fx * fx + fy * fy)
 
@@ -164,9 +164,9 @@ def motor(
     """Return (torque, rate of the velocity loop's integrator, current).
 
     Velocity: PI on set-point minus measured speed; duty: voltage = duty times supply. The torque is
-    bounded by the drive's current limit and by what the supply can push against the back-EMF.
-    The measured speed is wrong by the ripple, twice a turn (an eccentric encoder disc), and by a
-    fifth of it in a slow wander, so that a turn is never quite a whole number of samples.
+    limited by the drive's current limit and by the supply voltage minus the back-EMF. The measured
+    speed has a ripple error, twice per turn (eccentric encoder disc), and a fifth of it as a slow
+    wander, so that a turn is never exactly a whole number of samples.
     """
     if d.mode == OFF:
         return 0.0, 0.0, 0.0
@@ -189,5 +189,5 @@ def motor(
 
 @njit(BORE(CONSTANTS), **UNCOUNTED)
 def bore(k: Constants) -> Bore:
-    """Return the constants of the joint that the wall of the bushing needs."""
+    """Return the constants of the joint for the bushing's wall."""
     return Bore(k.pin_radius, k.bushing_radius, k.width, k.wear_coefficient)

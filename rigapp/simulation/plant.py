@@ -1,7 +1,7 @@
-"""The plant of the simulated rig: time in, terminals and truth out.
+"""The plant of the simulated rig: time in, terminal signals and true values out.
 
-Crank angle and speed are states; the drive's command moves them. One compiled call advances
-a chunk. Signals are electrical, in mV/V and V.
+Crank angle and speed are states, driven by the drive's command. One compiled call advances a chunk.
+Signals are electrical, in mV/V and V.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from rigapp.simulation.layout import Array, Constants, Drive
 from rigapp.simulation.wall import APPROACH, Wall, looked_up, unworn_wall, worn_wall
 from rigapp.texts import say
 
-LONGEST_STEP_S = 1.0 / 900.0  # 95 steps a turn at the highest usual speed, 570 rpm
+LONGEST_STEP_S = 1.0 / 900.0  # 95 steps per turn at the highest usual speed, 570 rpm
 DEEPEST_SHARE = 0.5
-"""Deepest wear that can be set, as a part of the pin's radius."""
+"""Deepest wear that can be set, as a fraction of the pin's radius."""
 LEAST_FORCE_N = 10.0
-"""The bushing's nodes resolve the contact under this force at least."""
+"""Smallest force whose contact is resolved by the bushing's nodes."""
 START_BEFORE_REST_RAD = math.radians(3.0)
 
 
@@ -28,8 +28,8 @@ START_BEFORE_REST_RAD = math.radians(3.0)
 class Truth:
     """The true values at each sample: arrays of one length, SI units.
 
-    Force on the follower by the pin, in the crank frame, at the sample's own instant (the terminals
-    follow late); wear depth at the contact.
+    Force on the follower by the pin, in the crank frame, at the sample's instant (the terminal
+    signals are delayed); wear depth at the contact.
     """
 
     time_s: Array
@@ -44,7 +44,8 @@ class Truth:
 class Samples:
     """The samples at the terminals: shaft in revolutions as the encoder turns, mV/V, V.
 
-    bushing_rise_K: of the bushing above the room. warm_s: since the crank first left its rest.
+    bushing_rise_K: of the bushing above room temperature. warm_s: time since the first departure
+    from rest.
     free_noise: (free inputs, samples), standard normal.
     """
 
@@ -111,7 +112,7 @@ class Plant:
         longest_step_s: float = LONGEST_STEP_S,
         free_inputs: int = 0,
     ) -> None:
-        """Start at rest: at angle_rad, or just before where the crank rests by itself.
+        """Start at rest: at angle_rad, or just before the crank's equilibrium position.
 
         free_inputs: number of further inputs that need noise.
         """
@@ -133,7 +134,7 @@ class Plant:
         self.set_sample_rate(sample_rate_Hz)
 
     def set_sample_rate(self, sample_rate_Hz: float) -> None:
-        """Take samples at another rate from now on; raise ValueError when it is not positive."""
+        """Change the sample rate; raise ValueError if it is not positive."""
         if not sample_rate_Hz > 0.0:
             raise ValueError(say("sample rate {} Hz is not positive", sample_rate_Hz))
         if sample_rate_Hz == self._rate:
@@ -182,13 +183,13 @@ class Plant:
 
     @property
     def warm_s(self) -> float:
-        """Return the time since the crank first left its rest, 0 before."""
+        """Return the time since the crank's first departure from rest, 0 before."""
         if not self._counters[layout.DEPARTURES]:
             return 0.0
         return float(self._state[layout.TIME] - self._state[layout.WARM])
 
     def advance(self, steps: int, drive: Drive) -> Samples:
-        """Advance by ``steps`` steps of ``step_s`` under a command; return the samples due."""
+        """Advance by ``steps`` steps of ``step_s`` with a command; return the samples due."""
         room = steps // self._steps_per_sample + 1
         out = np.empty((self._rows, room))
         first = int(self._counters[layout.SAMPLE])
@@ -211,7 +212,7 @@ class Plant:
         return _samples(first, out[:, :count])
 
     def bench(self, weight_N: float, micrometers_m: tuple[float, float]) -> None:
-        """Take the follower off: a weight hangs on the pin, micrometers face the probes."""
+        """Remove the follower: a weight hangs on the pin, micrometers face the probes."""
         self.constants = self.constants._replace(
             bench=1.0,
             follower_mass=0.0,
@@ -224,7 +225,7 @@ class Plant:
         )
 
     def assemble(self) -> None:
-        """Put the follower on again."""
+        """Refit the follower."""
         together = self._assembled
         self.constants = self.constants._replace(
             bench=0.0,
@@ -236,10 +237,10 @@ class Plant:
         self._settle()
 
     def wear_to(self, depth_m: float, area_m2: float | None = None) -> None:
-        """Wear the bushing to a depth; without an area that of such a depth is used.
+        """Wear the bushing to a depth; without an area it is derived from the depth.
 
-        Time, crank and noise stay as they are. Raises ValueError for a depth or area below 0, and
-        for a depth at which the crank could not turn.
+        Time, crank and noise do not change. Raises ValueError for a depth or area below 0, and for
+        a depth at which the crank could not turn.
         """
         if not 0.0 <= depth_m < DEEPEST_SHARE * self.constants.pin_radius:
             raise ValueError(
@@ -261,7 +262,7 @@ class Plant:
         self._settle()
 
     def approach_m(self, force_N: float) -> float:
-        """Return how far a force brings pin and bushing nearer by elasticity, as they are now."""
+        """Return the elastic approach of pin and present bushing under a force."""
         return float(looked_up(self._wall.table, self._wall.state, force_N, APPROACH))
 
     def _new_wall(self) -> Wall:
@@ -270,14 +271,14 @@ class Plant:
         return unworn_wall(mechanics.bore(k), *material, self._usual_force)
 
     def turn_by_hand(self, angle_rad: float) -> None:
-        """Turn the crank to an angle of its present revolution and leave it at rest."""
+        """Turn the crank to an angle of its present revolution, at rest."""
         turns = math.floor(self._state[layout.ANGLE] / (2.0 * math.pi))
         self._state[layout.ANGLE] = 2.0 * math.pi * turns + angle_rad % (2.0 * math.pi)
         self._state[layout.SPEED] = 0.0
         self._settle()
 
     def _settle(self) -> None:
-        """Let slider and follower of a joint that may lose contact rest where the crank is."""
+        """Set slider and follower of a joint that may lose contact to rest at the crank's angle."""
         wall = self._wall
         impacts.settle(self.constants, wall.table, wall.state, self._state)
 
@@ -298,7 +299,7 @@ class Plant:
         )
 
     def _present(self) -> Array:
-        """Return the sensors' inputs now, for the filters' past at a change of rate."""
+        """Return the present sensor inputs, to fill the filters' history at a change of rate."""
         if self._ring.shape[1] > 0:
             return self._ring[:, int(self._counters[layout.HEAD])].copy()
         angle, depth = self._state[layout.ANGLE], self._state[layout.DEPTH]

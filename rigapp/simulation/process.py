@@ -1,6 +1,6 @@
 """The simulated rig as a process: ``python -m rigapp.simulation.process RIG.toml``.
 
-Prints one JSON line with a URL a device as soon as all ports answer, then runs until interrupted.
+Prints one JSON line with a URL per device once all ports are ready, then runs until interrupted.
 Commands come as JSON lines on stdin (see ``handle``), unless that is a terminal.
 """
 
@@ -28,7 +28,7 @@ from rigapp.simulation.handle import FOLDER, SimulatedRig, start_simulated_rig
 
 __all__ = ["SimulatedRig", "main", "start_simulated_rig"]
 
-ORPHAN_LIMIT_S = 10.0  # many times the time-out of the drive, which stops it
+ORPHAN_LIMIT_S = 10.0  # many times the drive's watchdog time-out, which stops the spindle
 _READ_SIZE = 65536
 LEFT_BEHIND = FOLDER + r"(?P<pid>\d+)-.*"
 
@@ -107,7 +107,7 @@ def _run(options: argparse.Namespace, stack: contextlib.ExitStack) -> int:
 
 
 def _endpoints(sockets: bool, stack: contextlib.ExitStack) -> Callable[[str], Any]:
-    """Return the function that makes an endpoint for a device: a pty, or TCP without ptys."""
+    """Return the factory of endpoints for devices: a pty, or TCP without ptys."""
     from rigapp.simulation.wire.endpoints import SocketEndpoint
     from rigapp.simulation.wire.ports import port_at
 

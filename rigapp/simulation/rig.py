@@ -1,9 +1,9 @@
 """The simulated rig: plant, device simulators and wires in one loop, one thread.
 
-A pass reads the hosts' requests, answers them, and advances the plant by the chunks that are due;
-between two chunks requests are read again, so that an answer does not wait for the rest of them.
-Within a chunk the drive's command is constant but for its ramp, so a chunk is short: at most 20 ms
-of wall time and 1/10 revolution. Faster than real time a second chunk waits for the host while it
+A pass processes the hosts' requests, and advances the plant by the chunks that are due; between two
+chunks requests are processed again, so that a reply does not wait for the remaining chunks. Within
+a chunk the drive's command is constant except for its ramp, so a chunk is short: at most 20 ms of
+wall time and 1/10 revolution. Faster than real time a second chunk waits for the host while it
 reads the first, so that a command takes effect within 1/5 revolution of the host's newest data.
 """
 
@@ -51,12 +51,12 @@ STANDING = 1e-6
 """A crank slower than this is stationary, rad/s."""
 CHUNK_S = 0.02  # a command takes effect as soon as in a real drive's loop
 SLOW_S = 1.0
-"""Period in which slow devices measure their surroundings, in plant time."""
+"""Measuring period of slow devices, in plant time."""
 LONGEST_CHUNK_S = 0.1  # of plant time, at any speed
-CHUNK_REVOLUTIONS = 1.0 / 10.0  # see above: twice this is how far the host may lag
-LONGEST_PASS_CHUNKS = 8  # then other work is due, as the control channel
+CHUNK_REVOLUTIONS = 1.0 / 10.0  # see above: the host may lag by twice this
+LONGEST_PASS_CHUNKS = 8  # then other work is due, such as the control channel
 IDLE_S = 0.01  # shorter than any time-out on the wire
-HOST_WAIT_S = 0.00015  # as long as a pty takes to hand over
+HOST_WAIT_S = 0.00015  # latency of a pty
 TURN = 2.0 * math.pi
 FULL_GAUGE_BYTES = 3072  # of the 4095 that a pty reports at most: more may be waiting
 
@@ -65,15 +65,14 @@ BURST_S = 0.1  # shorter than any time-out of a host
 
 
 class PlantPace:
-    """The plant time that is due; ``speed`` times real time, or inf for as fast as taken.
+    """Compute the plant time that is due; ``speed`` times real time, inf for the host's pace.
 
     Never slower than real time, so that a host which does not read loses data as with a real
-    device. Never faster than the chosen speed, nor than the host takes the data. Without a host
-    that takes data the plant runs in real time, since the drive's watchdog runs on the wall clock:
-    at any speed a dead engine stops the spindle within its time-out, and the coasting takes its
-    real time.
+    device. Never faster than the chosen speed, nor than the host reads the data. Without a reading
+    host the plant runs in real time, since the drive's watchdog runs on the wall clock: at any
+    speed the spindle stops within the time-out of a dead engine, and coasts in real time.
 
-    The devices' own time, on which the drive's watchdog runs, is that of their process
+    The devices' time, on which the drive's watchdog runs, is that of their process
     (``processclock``).
     """
 
@@ -85,7 +84,7 @@ class PlantPace:
 
     @property
     def fast(self) -> bool:
-        """Return whether the speed is above real time at all."""
+        """Return whether the speed is above real time."""
         return self.speed > 1.0
 
     def tick(self, now_s: float) -> None:
@@ -100,18 +99,18 @@ class PlantPace:
             self._may = min(self._may + passed * self.speed, burst)
 
     def due(self, chunk_s: float, *, taken: bool) -> bool:
-        """Return whether a chunk is due; taken: a host streams and has read all data."""
+        """Return whether a chunk is due; taken: a host is streaming and has read all data."""
         if self._must >= chunk_s:
             return True
         return self.fast and taken and self._may >= chunk_s
 
     def advanced(self, chunk_s: float) -> None:
-        """Count a chunk by which the plant advanced."""
+        """Record that the plant advanced by a chunk."""
         self._must = max(0.0, self._must - chunk_s)
         self._may = max(0.0, self._may - chunk_s)
 
     def wait_s(self, chunk_s: float, *, may_be_taken: bool) -> float:
-        """Return for how long nothing is due; 0 when only the host is waited for."""
+        """Return the time until work is due; 0 if only the host has to read."""
         wait = (chunk_s - self._must) / min(1.0, self.speed)
         if self.fast and may_be_taken:
             fast_wait = 0.0 if math.isinf(self.speed) else (chunk_s - self._may) / self.speed
@@ -120,9 +119,9 @@ class PlantPace:
 
 
 class RigSimulation:
-    """Run a rig file's devices around one plant; call ``step`` again and again.
+    """Run a rig file's devices with one plant; call ``step`` repeatedly.
 
-    speed: times real time, inf for as fast as the host takes the data.
+    speed: factor on real time, inf for as fast as the host reads the data.
     """
 
     def __init__(
@@ -180,17 +179,17 @@ class RigSimulation:
 
     @property
     def urls(self) -> dict[str, str]:
-        """Return the URL of each device, which the host opens."""
+        """Return the URL of each device for the host."""
         return {name: wire.endpoint.url for name, wire in self._wires.items()}
 
     def waitable(self) -> list[int]:
-        """Return the descriptors whose readability should end a wait."""
+        """Return the descriptors to wait on for reading."""
         return [d for wire in self._wires.values() for d in wire.endpoint.waitable()]
 
     def step(self, now_s: float, device_s: float | None = None) -> float:
-        """Do what is due; return the seconds until the next work.
+        """Do the work that is due; return the seconds until the next work.
 
-        device_s: the devices' own time (``processclock.ProcessClock``), the wall clock's if None.
+        device_s: the devices' time (``processclock.ProcessClock``), the wall clock's if None.
         """
         self._now = now_s
         self._device_s = now_s if device_s is None else device_s
@@ -214,7 +213,7 @@ class RigSimulation:
         return self._wait_s()
 
     def begin(self, fault: FaultRecord) -> None:
-        """Let a fault begin (the timetable calls this)."""
+        """Begin a fault (called by the timetable)."""
         if fault.kind in WIRE_KINDS:
             default = 1.0 if fault.kind != WireFault.SLOW else 0.2
             value = default if fault.value is None else fault.value
@@ -226,7 +225,7 @@ class RigSimulation:
             self._strike(fault)
 
     def end(self, fault: FaultRecord) -> None:
-        """Let a fault end (the timetable calls this)."""
+        """End a fault (called by the timetable)."""
         if fault.kind in WIRE_KINDS:
             self._wires[fault.device].stop_fault(WireFault(fault.kind))
         elif fault.kind in SIGNAL_KINDS:
@@ -235,7 +234,7 @@ class RigSimulation:
             self._devices[fault.device].simulator.clear(fault.kind)
 
     def inject(self, fault: FaultRecord) -> None:
-        """Put a fault on the timetable; raise UnusableInput where no device can have it."""
+        """Add a fault to the timetable; raise UnusableInput if no device supports it."""
         later = fault.at_s is not None or fault.at_revolution is not None
         self._check(fault, later=later)
         self._timetable.add(fault)
@@ -246,11 +245,11 @@ class RigSimulation:
         self._timetable.clear(self, kind)
 
     def still(self) -> bool:
-        """Return whether the spindle stands still and nothing drives it."""
+        """Return whether the spindle is stationary and not driven."""
         return abs(self.plant.speed_rad_per_s) < STANDING and self._speed_wanted == 0.0
 
     def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
-        """Wear the bushing as an earlier test left it; raise UnusableInput."""
+        """Set the bushing's wear to that of an earlier test; raise UnusableInput."""
         if not self.still():
             raise UnusableInput("state: the spindle turns or is driven; stop it first.")
         try:
@@ -259,7 +258,7 @@ class RigSimulation:
             raise UnusableInput("state: {}.", error) from error
 
     def report(self) -> dict[str, Any]:
-        """Return the truth as a JSON-ready table: angle, speed, wear, drive, links."""
+        """Return the true state as a JSON-ready table: angle, speed, wear, drive, links."""
         state = self.plant.state()
         return {
             "time_s": state.time_s,
@@ -292,7 +291,7 @@ class RigSimulation:
             self._truth = None
 
     def _converse(self, now_s: float) -> None:
-        """Answer the hosts."""
+        """Process the hosts' requests and reply."""
         for device in self._devices.values():
             data = device.wire.receive()
             if data or device in self._slow:
@@ -302,7 +301,7 @@ class RigSimulation:
         self._drive.wire.send(sent, now_s, droppable=True)
 
     def _advance(self, steps: int, chunk_s: float, now_s: float) -> None:
-        """Advance the plant by one chunk under the drive's command and send its samples."""
+        """Advance the plant by one chunk with the drive's command and send its samples."""
         command = self._drive.simulator.command(chunk_s, self._device_s)
         samples = self.plant.advance(steps, self._act(command))
         self._observe()
@@ -322,7 +321,7 @@ class RigSimulation:
             self._daq.simulator.overrun(self._device_s)
 
     def _act(self, command: DriveCommand) -> Drive:
-        """Return the motor's input during the chunk by the drive's command."""
+        """Return the motor's input during the chunk from the drive's command."""
         before, self._command = self._command, command
         jam = self._disturbances.jam_Nm + self.hands.lock_Nm
         supply = self._machine.supply_V
@@ -343,7 +342,7 @@ class RigSimulation:
         return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
 
     def _observe(self) -> None:
-        """Give the drive its encoder, current and supply, and slow devices their quantities."""
+        """Update the drive's encoder, current and supply, and the slow devices' quantities."""
         plant = self.plant
         if plant.time_s >= self._look_again_s:
             self._look_again_s = plant.time_s + SLOW_S
@@ -360,7 +359,7 @@ class RigSimulation:
         )
 
     def _look_around(self) -> None:
-        """Give slow devices their quantities, and the drive the temperature of the room."""
+        """Update the slow devices' quantities and the drive's temperature."""
         now = (self._section, self.plant.state().bushing_rise_K, self.plant.warm_s)
         for device in self._slow:
             device.simulator.observe(slow_values(device.quantities, *now))
@@ -374,7 +373,7 @@ class RigSimulation:
         return max(1, int(chunk_s / self.plant.step_s))
 
     def _taken(self) -> bool:
-        """Return whether a host streams and has read all but the newest chunk."""
+        """Return whether a host is streaming and has read all but the newest chunk."""
         if not (self._pace.fast and self._streamed()):
             return False
         return self._daq.wire.backlog(self._now) <= min(self._chunk_bytes, FULL_GAUGE_BYTES)
@@ -393,14 +392,14 @@ class RigSimulation:
         return (self.plant.angle_rad - self._start_angle) / TURN
 
     def _check(self, fault: FaultRecord, *, later: bool) -> None:
-        """Refuse a fault that no device here can have, before it is due; raise UnusableInput."""
+        """Refuse a fault that no device supports, before it is due; raise UnusableInput."""
         check_fault(fault, list(self._wires), self._channels)
         if later and fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
             self._strike(fault)
             self._devices[fault.device].simulator.clear(fault.kind)
 
     def _strike(self, fault: FaultRecord) -> None:
-        """Pass a fault to the device's simulator, by the simulator's own names."""
+        """Pass a fault to the device's simulator, under the simulator's names."""
         data = {"value": fault.value, "count": fault.count, "target": fault.target}
         arguments = {key: value for key, value in data.items() if value is not None}
         with foreign(

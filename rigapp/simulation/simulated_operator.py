@@ -1,6 +1,6 @@
-"""The actions of a person at the rig: weights, the pin turned, micrometers, another bushing.
+"""Actions of an operator at the rig: hang weights, turn the pin, set micrometers, change bushings.
 
-A hand is a table from the control channel::
+An action is a table from the control channel::
 
     {"hand": "take_off_follower"}      the pin is free for the dead-weight calibration
     {"hand": "hang_weight", "mass_kg": 5.0, "gravity_m_s2": 9.8123}     0 takes it off
@@ -11,9 +11,9 @@ A hand is a table from the control channel::
     {"hand": "put_on_follower"}
     {"hand": "new_specimen"}           an unworn bushing in place of the present one
 
-The crank is locked while the follower is off, until it is released. A weight is conventional mass:
-steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000). The cell creeps under
-it, with the logarithm of the stated time of loading.
+The crank is locked while the follower is off, until it is released. A weight is given by its
+conventional mass: steel of 8000 kg/m3 in air of 1.2 kg/m3, so its force is m g (1 - 1.2 / 8000).
+The cell creeps with the logarithm of the given loading time.
 """
 
 from __future__ import annotations
@@ -30,18 +30,18 @@ from rigapp.simulation.plant import Plant
 BUOYANCY = 1.0 - 1.2 / 8000.0  # conventional mass: air over steel
 LOCK_Nm = 1e6
 CREEP_PER_DECADE = 3e-4
-"""Part of the load by which the cell's signal grows from 30 s to 300 s: that of a good cell."""
+"""Growth of the cell's signal from 30 s to 300 s as a share of the load: that of a good cell."""
 CREEP_FROM_S = 30.0
 HEAVIEST_KG = 100.0  # more than a person can hang on a pin
 
 
 def _tag(name: str) -> str:
-    """Return the name of an action in a message, by its class."""
+    """Return the name of an action's class in a message."""
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 class _Hand(msgspec.Struct, frozen=True, forbid_unknown_fields=True, tag_field="hand", tag=_tag):
-    """The base of all actions: a table whose key ``hand`` names it."""
+    """Base of all actions: a table with the name in the key ``hand``."""
 
 
 class TakeOffFollower(_Hand, frozen=True):
@@ -53,7 +53,7 @@ class PutOnFollower(_Hand, frozen=True):
 
 
 class ReleaseCrank(_Hand, frozen=True):
-    """Take the lock off the crank while the follower is off."""
+    """Unlock the crank while the follower is off."""
 
 
 class HangWeight(_Hand, frozen=True):
@@ -71,7 +71,7 @@ class TurnPin(_Hand, frozen=True):
 
 
 class SetMicrometer(_Hand, frozen=True):
-    """Set what a probe faces to a position."""
+    """Set a probe's micrometer to a position."""
 
     probe: Literal[1, 2]
     position_um: Annotated[float, msgspec.Meta(ge=-5000, le=5000)]
@@ -93,7 +93,7 @@ Hand = (
 
 
 class SimulatedOperator:
-    """Act on a stationary plant."""
+    """Perform an operator's actions on a stationary plant."""
 
     def __init__(self, plant: Plant) -> None:
         self._plant = plant
@@ -104,11 +104,11 @@ class SimulatedOperator:
 
     @property
     def lock_Nm(self) -> float:
-        """Return the friction that holds the crank while the follower is off."""
+        """Return the friction that locks the crank while the follower is off."""
         return LOCK_Nm if self._off and self._locked else 0.0
 
     def do(self, hand: Hand) -> None:
-        """Carry out an action; raise UnusableInput where a person could not."""
+        """Perform an action; raise UnusableInput if it is not possible on a real rig."""
         if self._plant.state().speed_rad_per_s != 0.0:
             raise UnusableInput("hand: the spindle turns; stop it first.")
         if isinstance(hand, HangWeight | SetMicrometer | ReleaseCrank) and not self._off:
@@ -142,7 +142,7 @@ class SimulatedOperator:
 
 
 def hand_of(tree: dict[str, object]) -> Hand:
-    """Return the action of a control message's table; raise UnusableInput."""
+    """Return the action in a control message's table; raise UnusableInput."""
     try:
         hand: Hand = msgspec.convert(tree, Hand)
     except msgspec.ValidationError as error:

@@ -1,14 +1,14 @@
-"""The laboratory around the simulated rig, and the values of free inputs and slow devices.
+"""The laboratory environment of the simulated rig: values of free inputs and slow devices.
 
-The bushing is warmed by the power of friction in the joint: force along the wall times sliding
-speed, through a first-order lag (see ``kernels``). The room's temperature and humidity swing about
-their means, once a day by default, against each other: warmer air of the same water is
-drier. Their day begins when the crank first leaves its rest, so that a test of the same seed is the
-same however long the rig was at rest before.
+The bushing is heated by the friction power in the joint: force along the wall times sliding speed,
+through a first-order lag (see ``kernels``). The room's temperature and humidity vary about their
+means, once a day by default, in opposite phase: warmer air of the same water content has a lower
+relative humidity. Their day begins at the crank's first departure from rest, so that a test of the
+same seed does not depend on the time at rest before.
 
-A free input of the rig file carries the quantity that its channel is named after,
+A free input of the rig file has the quantity after which its channel is named,
 ``[channels.bushing_temperature]``, ``room_temperature`` or ``humidity``; any other is not
-connected and floats near 0 V. A slow device measures the same by its quantities' names.
+connected and floats near 0 V. A slow device measures the same, by its quantities' names.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from rigapp.simulation.plant import Samples
 
 HOUR_S = 3600.0
 DRIVE_WARMER_K = 10.5
-"""How much warmer than the room a drive's electronics are [assumed]."""
+"""Temperature of a drive's electronics above the room [assumed]."""
 CONNECTED_NOISE_V = 2e-4
 FLOATING_NOISE_V = 2e-3
-"""Standard deviations: of a transmitter's output, of an open input of some megohms [assumed]."""
+"""Standard deviations: of a transmitter's output, of an open input of a few megohms [assumed]."""
 
 Values = Callable[[PlantSection, Array, Array], Array]
 
 
 def room_swing_K(plant: PlantSection, warm_s: Array) -> Array:
-    """Return how far the room is from its mean temperature."""
+    """Return the deviation of the room from its mean temperature."""
     return np.asarray(plant.room_swing_K * _swing(plant, warm_s))
 
 
@@ -65,14 +65,14 @@ QUANTITIES: Mapping[str, Values] = {
 
 
 class FreeInputs:
-    """The analog inputs of ``[channels.NAME]``: the voltages at their terminals."""
+    """The analog inputs of ``[channels.NAME]`` and their terminal voltages."""
 
     def __init__(self, rig: RigFile) -> None:
         self._plant = plant_section(rig)
         self._channels = {name: free for name, free in rig.channels.items() if not free.source}
 
     def __len__(self) -> int:
-        """Return how many there are."""
+        """Return the number of inputs."""
         return len(self._channels)
 
     def voltages(self, samples: Samples) -> dict[str, Array]:
@@ -90,7 +90,7 @@ class FreeInputs:
 
 
 def _volts(section: ChannelSection, value: Array) -> Array:
-    """Return the voltage of a value: the channel's scale or table, inverted."""
+    """Return the voltage of a value by inverting the channel's scale or table."""
     if section.table:
         pairs = np.array(sorted(section.table, key=lambda pair: pair[1]))
         return np.asarray(np.interp(value, pairs[:, 1], pairs[:, 0]))
@@ -100,7 +100,7 @@ def _volts(section: ChannelSection, value: Array) -> Array:
 def slow_values(
     quantities: tuple[str, ...], plant: PlantSection, rise_K: float, warm_s: float
 ) -> dict[str, float]:
-    """Return the values of a slow device by its quantities; unknown ones are left out."""
+    """Return the values of a slow device by its quantities; unknown ones are omitted."""
     result = {}
     for quantity in quantities:
         values = QUANTITIES.get(quantity.rpartition("_")[0])

@@ -1,4 +1,4 @@
-"""Keep the plant's truth for end-to-end tests, thinned so that memory stays bounded."""
+"""Record the plant's true values for end-to-end tests, thinned to bound the memory."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ COLUMNS = (
     "wear_depth_m",
 )
 _NO_TRUTH = ("sample", "shaft_revolutions")
-ROOM = 1 << 20  # 64 MB; then every second row is dropped
+ROOM = 1 << 20  # rows, 64 MB; then every second row is dropped
 
 
 class TruthRecorder:
-    """Record every n-th sample's truth; when memory is full, drop every second row and double n."""
+    """Record every n-th sample; at the memory limit drop every second row and double n."""
 
     def __init__(self, path: Path, stride: int = 4, room: int = ROOM) -> None:
         self._path = path
@@ -34,7 +34,7 @@ class TruthRecorder:
         self._count = 0
 
     def take(self, samples: Samples) -> None:
-        """Take a chunk's truth."""
+        """Record the true values of a chunk."""
         number = samples.first_sample + np.arange(samples.shaft_revolutions.size)
         truth = [getattr(samples.truth, name) for name in COLUMNS if name not in _NO_TRUTH]
         rows = np.vstack([number, truth[0], samples.shaft_revolutions, *truth[1:]])
@@ -50,7 +50,7 @@ class TruthRecorder:
         return {name: self._rows[i, : self._count] for i, name in enumerate(COLUMNS)}
 
     def save(self) -> None:
-        """Write the file under another name, then move it into place."""
+        """Write the file under a temporary name, then rename it."""
         fresh = self._path.with_name(self._path.name + ".new")
         with fresh.open("wb") as file:
             np.savez(file, allow_pickle=False, **self.arrays())

@@ -1,17 +1,17 @@
-"""The bushing's wall in the simulated rig: its elasticity and its wear.
+"""Elasticity and wear of the bushing's wall in the simulated rig.
 
 Elasticity is in closed form: in a ring whose rim is fixed a radial traction cos(n t) on the bore
 moves the bore by a_n cos(n t); Navier's equations in plane strain have four powers of the radius
 for each n, and four conditions at the two radii give a_n (no mesh of the wall, no finite elements).
 The traction is piecewise linear between nodes on one half of the bore: contact and profile are
-symmetric about the direction of the force, which in the follower frame swings by a degree or two.
-The pin is rigid.
+symmetric about the direction of the force, which in the follower frame varies by one or two
+degrees. The pin is rigid.
 
-Contact: pin and worn bore touch from the middle outwards, so elimination in that order, once, gives
-the contacts of all widths; the force decides which. Wear: Archard's law at every node, implicit in
-time. Pressures are tabulated for LEVELS forces and hold until the wear of a small share of depth
-and approach has come together; each already contains the wear of that time, so that any length of
-time is stable.
+Contact: pin and worn bore touch from the middle outwards, so a single elimination in that order
+gives the contacts of all widths; the force determines which applies. Wear: Archard's law at every
+node, implicit in time. Pressures are tabulated for LEVELS forces and are valid until the wear
+reaches a small share of depth and approach; each includes the wear of that time, so that a step of
+any length is stable.
 """
 
 # mypy: disable-error-code="untyped-decorator, no-any-return"
@@ -31,29 +31,29 @@ F = types.float64
 
 NODES = 100
 FINEST = 0.1
-"""Spacing of the first nodes as a part of the unworn contact's half-angle."""
+"""Spacing of the first nodes as a fraction of the unworn contact's half-angle."""
 LEAST_FORCE_N = 1e-3
-"""Below, the width of the contact is that under this force: none is no width to divide by."""
+"""Lower limit of the force for the contact width, which avoids a division by zero."""
 ROUNDING = 1e-9
-"""A depth that is short of the wanted one by this share has been reached."""
+"""Relative tolerance at which a depth counts as reached."""
 REACH_RAD = math.radians(88.0)
 WAVES = 4.0
-"""Waves up to so many times the shortest that the nodes can show."""
+"""Highest wave number as a multiple of the highest that the nodes resolve."""
 LEVELS = 6
 ROOM = 1.2
-"""The highest tabulated force exceeds the highest one met so far by this factor."""
+"""Ratio of the highest tabulated force to the highest one so far."""
 SHARE = 0.01
-"""A table holds until the depth has grown by this share of depth and approach."""
+"""A table is valid until the depth has grown by this share of depth and approach."""
 
 TOP, LASTS = range(2)
-"""State of a table: the highest of its forces (N), slip (m) for which it still holds."""
+"""State of a table: its highest force (N), slip (m) for which it remains valid."""
 PEAK, APPROACH, AREA, SLID = range(4)
-"""Columns of a table, a row a force: middle pressure (Pa), approach (m), area worn per slip and
-wear coefficient (N/m), slip at this force since the table was made (m)."""
+"""Columns of a table, one row per force: middle pressure (Pa), approach (m), area worn per slip and
+wear coefficient (N/m), slip at this force since the table was computed (m)."""
 
 
 class Wall(NamedTuple):
-    """A wall: its nodes and compliance, which stay, and its wear, which grows.
+    """A wall: constant nodes and compliance, and its accumulated wear.
 
     angle, weight (NODES,): rad; compliance (NODES, NODES): m/Pa; worn (NODES,): radial depth, m;
     table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): of each force, Pa; state: see TOP.
@@ -73,7 +73,7 @@ WALL = types.NamedTuple((ROW, ROW, SQUARE, ROW, SQUARE, SQUARE, ROW), Wall)
 
 
 class Bore(NamedTuple):
-    """The constants of the contact beside the wall; SI units, K in m^2/N."""
+    """Constants of the contact; SI units, K in m^2/N."""
 
     pin_radius: float
     bushing_radius: float
@@ -87,7 +87,7 @@ BORE = types.NamedUniTuple(float64, len(Bore._fields), Bore)
 def unworn_wall(
     bore: Bore, outer_radius: float, modulus: float, poisson: float, typical_force: float
 ) -> Wall:
-    """Return a new wall; typical_force (N): decides how close the nodes are to each other."""
+    """Return a new wall; typical_force (N): determines the spacing of the nodes."""
     angle = _nodes(FINEST * _first_half_angle(bore, modulus / (1.0 - poisson**2), typical_force))
     wall = Wall(
         angle=angle,
@@ -115,7 +115,7 @@ def _first_half_angle(bore: Bore, modulus: float, force: float) -> float:
 
 
 def _nodes(first: float) -> Array:
-    """Return angles from 0 to REACH_RAD, the first ``first`` apart, the others ever wider."""
+    """Return angles from 0 to REACH_RAD with increasing spacing, beginning with ``first``."""
     low, high = 1e-9, 50.0
     for _ in range(100):
         middle = 0.5 * (low + high)
@@ -126,13 +126,13 @@ def _nodes(first: float) -> Array:
 
 
 def _hat(angle: Array, wave: Array) -> Array:
-    """Return the integrals of each node's hat times cos(n t) over one half, (NODES, waves)."""
+    """Return the integrals of each node's hat function times cos(n t), (NODES, waves)."""
     step = np.diff(angle)
     left, right = np.append(step[:1], step), np.append(step, step[-1:])
     n = np.maximum(wave, 1e-9)
 
     def double_integral(at: Array) -> Array:
-        # (1 - cos) / n^2 without the loss of digits of the difference.
+        # (1 - cos) / n^2 without cancellation.
         return np.asarray(2.0 * (np.sin(0.5 * np.outer(at, n)) / n) ** 2)
 
     integral = (
@@ -145,7 +145,7 @@ def _hat(angle: Array, wave: Array) -> Array:
 
 
 def _compliance(angle: Array, inner: float, outer: float, modulus: float, poisson: float) -> Array:
-    """Return how far (m) the bore moves outwards at each node for 1 Pa at each, and its image."""
+    """Return the outward motion (m) of the bore at each node per Pa at each and its mirror node."""
     waves = np.arange(0.0, math.ceil(WAVES * math.pi / (angle[1] - angle[0])) + 1.0)
     gives = np.array([wave_compliance(n, inner, outer, modulus, poisson) for n in waves])
     gives *= np.where(waves == 0.0, 1.0, 2.0) / math.pi
@@ -153,9 +153,9 @@ def _compliance(angle: Array, inner: float, outer: float, modulus: float, poisso
 
 
 def wave_compliance(n: float, inner: float, outer: float, modulus: float, poisson: float) -> float:
-    """Return how far (m) the bore moves for a pressure of 1 Pa cos(n t); the rim is fixed.
+    """Return the motion (m) of the bore for a pressure of 1 Pa cos(n t); the rim is fixed.
 
-    u_r = U r^x cos(n t), u_t = V r^x sin(n t). Two powers meet at n = 1: the limit is taken.
+    u_r = U r^x cos(n t), u_t = V r^x sin(n t). Two powers coincide at n = 1: the limit is used.
     """
     n = n + 1e-6 if n == 1.0 else n
     shear = modulus / (2.0 * (1.0 + poisson))
@@ -170,7 +170,7 @@ def wave_compliance(n: float, inner: float, outer: float, modulus: float, poisso
             -(k * (2.0 - n) + shear * n) / (k * n + shear * (2.0 - n)),
         ]
     )
-    # Growing powers count from the rim, falling ones from the bore.
+    # Scale increasing powers to the rim, decreasing ones to the bore.
     grows = powers > 0.0
     ratio = np.power(inner / outer, np.abs(powers))
     bore, rim = np.where(grows, ratio, 1.0), np.where(grows, 1.0, ratio)
@@ -184,8 +184,8 @@ def wave_compliance(n: float, inner: float, outer: float, modulus: float, poisso
 def shape(w: Wall, k: Bore, at: Array) -> None:
     """Write the pin's circle at each node when it touches in the middle: ``at`` (4, NODES).
 
-    Rows: its overlap with the worn bore along the ray, m (0 or less); the part of a step of the
-    pin's centre that arrives there; arc of the pin for a radian of the bore, m; cosine of the angle
+    Rows: its overlap with the worn bore along the ray, m (0 or less); displacement there per
+    displacement of the pin's centre; arc of the pin per radian of the bore, m; cosine of the angle
     between ray and normal.
     """
     away = k.bushing_radius - k.pin_radius + w.worn[0]
@@ -205,10 +205,10 @@ def eliminate(
 ) -> int:
     """Factorise [compliance + wear] node by node, until the contact carries a force (N/m).
 
-    Return how many nodes touch then; the first m rows and columns are the contact of m nodes.
+    Return the number of touching nodes; the first m rows and columns are the contact of m nodes.
     factors (NODES, NODES): lower (unit diagonal), upper; solved (5, NODES): both right-hand sides
-    after elimination, and the forces (N/m) that a contact so wide carries for a step of the pin's
-    centre of 1 m, and for none; last, the factors for the next node.
+    after elimination, and the forces (N/m) of a contact of this width for a displacement of the
+    pin's centre by 1 m, and by 0; last, the factors for the next node.
     """
     slope, base = 0.0, 0.0
     for m in range(len(w.angle)):
@@ -240,7 +240,7 @@ def eliminate(
 
 @njit(types.void(WALL, BORE, F), cache=True)
 def tabulate(w: Wall, k: Bore, slip: float) -> None:
-    """Make the table again for the worn wall; pressures hold for a slip (m) to come."""
+    """Recompute the table for the worn wall; its pressures are valid for a further slip (m)."""
     count = len(w.angle)
     at, factors, solved = np.empty((4, count)), np.empty((count, count)), np.empty((5, count))
     shape(w, k, at)
@@ -269,7 +269,7 @@ def tabulate(w: Wall, k: Bore, slip: float) -> None:
 
 @njit(types.void(WALL, BORE, F), **UNCOUNTED)
 def renew(w: Wall, k: Bore, force: float) -> None:
-    """Apply the wear summed up in the table, and make a new one for at least a force (N)."""
+    """Apply the wear accumulated in the table, and compute a new one up to a force (N)."""
     away = k.bushing_radius - k.pin_radius + w.worn[0]
     for i in range(len(w.angle)):
         lean = math.sqrt(1.0 - (away * math.sin(w.angle[i]) / k.pin_radius) ** 2)
@@ -287,7 +287,7 @@ def renew(w: Wall, k: Bore, force: float) -> None:
 
 @njit(types.Tuple((int64, F))(ROW, F), forceinline=True, **UNCOUNTED)
 def row_of(state: Array, force: float) -> tuple[int, float]:
-    """Return the row of the table below a force (N) and which part of the way to the next it is."""
+    """Return the row of the table below a force (N) and the fraction of the way to the next."""
     share = LEVELS**2 * max(force, 0.0) / state[TOP]
     level = max(0, min(int(math.sqrt(share)), LEVELS - 1))
     return level, (share - level * level) / (2.0 * level + 1.0)
@@ -322,7 +322,7 @@ def worn(
 
 
 ANY_COEFFICIENT = 1e-12
-"""The profile at a depth does not depend on the wear coefficient that it took; m^2/N."""
+"""Arbitrary wear coefficient, m^2/N: the profile at a depth does not depend on it."""
 
 
 def worn_wall(wall: Wall, k: Bore, force: float, depth: float) -> tuple[Wall, float]:

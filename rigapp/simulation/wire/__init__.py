@@ -1,1 +1,1 @@
-"""The wire between a simulated device and the host: its ports, its queue, its own faults."""
+"""The wire between a simulated device and the host: its ports, queue and faults."""

@@ -1,7 +1,7 @@
-"""Where the host finds a simulated device: a port that is a TCP socket; ``pty`` has another.
+"""Interface of a simulated device's port, and its implementation by TCP; ``pty`` has another.
 
-An endpoint never blocks. It detects whether a host has the other end open, survives the host's
-closing and opening again, and can be unplugged and plugged in like a cable.
+An endpoint never blocks. It detects whether a host has the other end open, remains usable when the
+host closes and reopens it, and can be unplugged and plugged in like a cable.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ READ_SIZE = 65536
 
 
 class Endpoint(Protocol):
-    """Offer one port of the simulated rig to a host."""
+    """One port of the simulated rig for a host."""
 
     @property
     def url(self) -> str:
@@ -24,29 +24,29 @@ class Endpoint(Protocol):
         """Return whether a host has the other end open."""
 
     def waitable(self) -> list[int]:
-        """Return the descriptors to wait for."""
+        """Return the descriptors to wait on."""
 
     def read(self) -> bytes:
-        """Return what the host has written, b"" when nothing; never blocks."""
+        """Return the bytes written by the host, b"" if none; never blocks."""
 
     def write(self, data: bytes | memoryview) -> int:
-        """Send bytes to the host, as many as it takes; return their number."""
+        """Send as many bytes to the host as it accepts; return their number."""
 
     def unread(self) -> int:
-        """Return the bytes that the host has not yet read, where that can be known, else 0."""
+        """Return the number of bytes not yet read by the host, 0 if unknown."""
 
     def pull(self) -> None:
-        """Take the device away: the host's connection breaks and opening fails."""
+        """Unplug the device: the host's connection breaks and opening fails."""
 
     def restore(self) -> None:
-        """Put the device back under the same URL."""
+        """Plug the device in again under the same URL."""
 
     def close(self) -> None:
         """Release everything; never raises; safe to call twice."""
 
 
 class SocketEndpoint:
-    """A TCP server on the loopback for one host at a time; a second one is refused."""
+    """A TCP server on the loopback interface for one host at a time; a second one is refused."""
 
     def __init__(self) -> None:
         self._port = 0
@@ -126,7 +126,7 @@ class SocketEndpoint:
                 continue
             connection.setblocking(False)
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            # A small send buffer keeps the backlog, and with it the age of what is read, small.
+            # A small send buffer limits the backlog, and with it the age of the data.
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 8192)
             self._connection = connection
 

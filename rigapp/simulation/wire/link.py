@@ -1,8 +1,8 @@
-"""The wire between a simulated device and the host: bounded queue, and the wire's own faults.
+"""The wire between a simulated device and the host: a bounded queue, and faults of the wire.
 
-A pty or socket holds data back; a device loses it. So data that cannot be sent at once wait in a
+A pty or socket buffers data; a device loses them. So data that cannot be sent at once wait in a
 bounded queue, and when that is full the OLDEST measured data are dropped, whole deliveries at a
-time, never one that is half sent. Answers are kept. Faults act between queue and endpoint, on the
+time, never a partly sent one. Replies are kept. Faults act between queue and endpoint, on the
 wire's clock.
 """
 
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from rigapp.simulation.wire.endpoints import Endpoint
 
 QUEUE_BYTES = 65536  # some 0.2 s of a GSV-8 at its highest rate
-HELD_BYTES = 1 << 24  # of a device that holds back: minutes of the example rigs
+HELD_BYTES = 1 << 24  # limit during the fault ``hold``: minutes of the example rigs
 HANDOVER_S = 0.00015  # a pty passes bytes on in less than 0.1 ms
 
 
@@ -26,7 +26,7 @@ class WireFault(enum.StrEnum):
 
     CABLE_PULL = "cable_pull"
     HANG = "hang"
-    HOLD = "hold"  # the device's output is held back and comes late, at once
+    HOLD = "hold"  # the device's output is held back, then delivered together
     GARBAGE = "garbage"
     TRUNCATED = "truncated"
     SPLIT = "split"
@@ -41,7 +41,7 @@ class _Delivery:
 
 
 class OutputQueue:
-    """Keep data that the host has not taken, at most ``limit`` bytes."""
+    """Queue of data not yet read by the host, at most ``limit`` bytes."""
 
     def __init__(self, limit: int = QUEUE_BYTES) -> None:
         self.limit = limit
@@ -50,7 +50,7 @@ class OutputQueue:
         self._sent = 0
 
     def push(self, data: bytes, due_s: float, droppable: bool) -> bool:
-        """Append a delivery; return False when older ones had to be dropped for it."""
+        """Append a delivery; return False if older ones were dropped for it."""
         self._deliveries.append(_Delivery(data, due_s, droppable))
         self.bytes += len(data)
         kept_all = True
@@ -60,7 +60,7 @@ class OutputQueue:
         return kept_all
 
     def head(self, now_s: float) -> memoryview:
-        """Return what is to be sent next, empty when nothing is due."""
+        """Return the next bytes to send, empty if none are due."""
         if not self._deliveries or self._deliveries[0].due_s > now_s:
             return memoryview(b"")
         return memoryview(self._deliveries[0].data)[self._sent :]
@@ -109,7 +109,7 @@ class SimulatedWire:
         self._faults: dict[WireFault, float] = {}
 
     def start_fault(self, fault: WireFault, value: float = 0.0) -> None:
-        """Let a fault begin; value: bytes or seconds, see the class."""
+        """Begin a fault; value: bytes or seconds, see the class."""
         self._faults[fault] = value
         if fault is WireFault.CABLE_PULL:
             self._queue.clear()
@@ -118,7 +118,7 @@ class SimulatedWire:
             self._queue.limit = HELD_BYTES
 
     def stop_fault(self, fault: WireFault) -> None:
-        """Let a fault end; nothing happens when it is not there."""
+        """End a fault; no effect if it is not active."""
         self._faults.pop(fault, None)
         if fault is WireFault.CABLE_PULL:
             self.endpoint.restore()
@@ -136,7 +136,7 @@ class SimulatedWire:
         return b"" if WireFault.HANG in self._faults else data
 
     def send(self, data: bytes, now_s: float, *, droppable: bool) -> bool:
-        """Queue a delivery and send as much as goes; return False when older data were dropped."""
+        """Queue a delivery and send as much as possible; return False if older were dropped."""
         if not data or WireFault.HANG in self._faults or not self.endpoint.connected():
             return True
         data = self._spoilt(data)
@@ -149,7 +149,7 @@ class SimulatedWire:
         return kept_all
 
     def flush(self, now_s: float) -> None:
-        """Send what is due, as much as the endpoint takes."""
+        """Send the data that are due, as much as the endpoint accepts."""
         if WireFault.HOLD in self._faults:
             return
         piece = int(self._faults.get(WireFault.SPLIT, 0.0))
@@ -169,10 +169,10 @@ class SimulatedWire:
         return self._queue.bytes
 
     def backlog(self, now_s: float) -> int:
-        """Return the bytes in the queue and those that the host has not yet read.
+        """Return the number of bytes in the queue and of those not yet read by the host.
 
-        The kernel passes data on a little later: data sent just now count as unread. Data that a
-        device holds back are no backlog: it goes on measuring.
+        The kernel passes data on with a delay: data sent just now count as unread. Data held back
+        by a fault are no backlog: the device continues measuring.
         """
         if WireFault.HOLD in self._faults:
             return 0

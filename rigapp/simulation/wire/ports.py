@@ -1,4 +1,4 @@
-"""Which kind of port a simulated device gets."""
+"""Create the port of a simulated device."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rigapp.simulation.wire.endpoints import Endpoint, SocketEndpoint
 
 
 def port_at(link: Path) -> Endpoint:
-    """Return a port with a lasting name; one of TCP where the system has no pty for it."""
+    """Return a port with a permanent name; a TCP port if the system has no suitable pty."""
     if sys.platform != "win32":
         with contextlib.suppress(ImportError, OSError):
             from rigapp.simulation.wire.pty import PtyEndpoint

@@ -1,4 +1,4 @@
-"""A port of a simulated device that is a pty under a lasting name, as POSIX systems have."""
+"""Port of a simulated device as a pty with a permanent name, on POSIX systems."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from rigapp.simulation.wire.endpoints import READ_SIZE
 
 assert sys.platform != "win32"
 
-_GAUGE_S = 0.05  # a host that has gone is noticed in this time
+_GAUGE_S = 0.05  # maximum delay until a disconnected host is noticed
 
 
 class PtyEndpoint:
-    """A pty behind a symbolic link, whose name outlives a pulled cable.
+    """A pty behind a symbolic link, whose name persists when the cable is pulled.
 
     The device side holds only the master: the kernel then reports a hang-up exactly while no host
-    has the slave open. For the bytes that wait in the slave a descriptor of one's own is needed; it
-    is held 50 ms at a time, so that a host that has gone is noticed in that time.
+    has the slave open. Counting the bytes in the slave requires an open descriptor of it, which is
+    held for 50 ms at a time, so that a disconnected host is noticed within that time.
     """
 
     def __init__(self, link: Path, clock: Callable[[], float] = time.monotonic) -> None:
@@ -135,7 +135,7 @@ class PtyEndpoint:
             self._gauge = -1
 
     def _forget_unread(self) -> None:
-        """Drop what the host that has gone did not read: the next one must not get it."""
+        """Drop bytes not read by a disconnected host: the next one must not receive them."""
         try:
             slave = os.open(self._slave_name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         except OSError:
