@@ -1,7 +1,7 @@
-"""What a driver of your own is written with: Protocols, records, errors, and a serial port.
+"""Public interface for drivers of other packages: Protocols, records, errors, a serial port.
 
-These names stay; what stands in ``rigapp_drivers`` itself may change from version to version.
-``docs/drivers.md`` says what is asked of a driver and how it is proved.
+These names are stable; the contents of ``rigapp_drivers`` may change from version to version.
+``docs/drivers.md`` describes the requirements on a driver and their tests.
 """
 
 from __future__ import annotations

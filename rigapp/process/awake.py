@@ -1,7 +1,7 @@
-"""Keep the computer awake: systemd's logind does not suspend it while a holder runs.
+"""Keep the computer awake by an inhibitor lock of systemd's logind.
 
-The holder is a process that reads its standard input, so that it ends with this program however
-that ends. Without systemd-inhibit nothing is held, and the caller can report it.
+The lock is held by a process that reads its standard input, so that it ends with this program in
+any case. Without systemd-inhibit there is no lock, and the caller can report it.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from rigapp.texts import say
 
 HOLDER: Final = "systemd-inhibit"
 _KINDS: Final = ("sleep:idle:handle-lid-switch", "sleep:idle", "sleep")
-"""Locks to try, the strongest first: logind does not let every user hold the lid."""
-_HELD_S: Final = 5.0  # logind answers within some ms; a hanging bus is not waited for
+"""Locks to try, the strongest first: logind does not allow every user to inhibit the lid switch."""
+_HELD_S: Final = 5.0  # logind replies within a few ms; do not wait for a hanging bus
 _ECHO: Final = b"held\n"
 
 
 class StayAwake:
-    """Hold the computer awake from ``begin`` to ``end``; any thread may call both."""
+    """Keep the computer awake from ``begin`` to ``end``; any thread may call both."""
 
     def __init__(self) -> None:
         self._changing = threading.Lock()
@@ -32,12 +32,12 @@ class StayAwake:
         self._holder: subprocess.Popen[bytes] | None = None
 
     def begin(self) -> None:
-        """Hold it from now on, without waiting; silently nothing where it is not possible."""
+        """Acquire the lock in the background; no error if it is not possible."""
         self._wanted = True
         Background(self.hold, say("stay awake"))
 
     def hold(self) -> str:
-        """Hold it, and return the lock that is held, empty for none."""
+        """Acquire the lock and return its kind, empty for none."""
         with self._changing:
             if self._holder is not None or shutil.which(HOLDER) is None:
                 return ""
@@ -62,7 +62,7 @@ class StayAwake:
 
 
 def kept_awake() -> str:
-    """Return the lock that can be held here, by a trial; empty for none."""
+    """Return the kind of lock available here, by a trial; empty for none."""
     trial = StayAwake()
     try:
         return trial.hold()
@@ -71,7 +71,7 @@ def kept_awake() -> str:
 
 
 def _hold(kinds: str) -> subprocess.Popen[bytes] | None:
-    """Return a holder whose echo has shown that the lock is held."""
+    """Return a holder process after its echo has confirmed the lock."""
     words = [f"--what={kinds}", "--who=rigapp", "--why=A wear test runs", "--mode=block", "cat"]
     try:
         holder = subprocess.Popen(

@@ -1,8 +1,8 @@
-"""Child processes of the program: start, messages, restarts, last words, end.
+"""Child processes of the program: start, messages, restarts, error output, end.
 
-The program holds a ``Child``, or a ``MessageChild`` where both exchange MessagePack records; the
-started process holds its ``Parent``. What a child prints on standard error is kept for the message
-that reports its failure.
+The program holds a ``Child``, or a ``MessageChild`` if both exchange MessagePack records; the
+started process holds its ``Parent``. A child's standard error is kept for the message that reports
+its failure.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ Record = TypeVar("Record")
 
 KEY = "RIGAPP_LINK_KEY"
 LONGEST_ADDRESS = 100
-"""Characters; systems take names of sockets of about 107 bytes."""
+"""Characters; systems limit names of sockets to about 107 bytes."""
 LONGEST_MESSAGE = 64 * 2**20
-"""Bytes; a revolution or a checkpoint has less than one MiB. ZeroMQ drops a longer one, and a
-damaged length in a frame must not make the program reserve gigabytes."""
+"""Bytes; a revolution or a checkpoint has less than one MiB. ZeroMQ drops longer messages, and a
+damaged length in a frame must not make the program allocate gigabytes."""
 SEND_MS = 1000
 LAST_WORDS = 4096
 """Bytes of standard error that are searched for the reason of a failure."""
@@ -39,21 +39,21 @@ LONGEST_PAUSE_S = 60.0
 _HEAD = 4
 _READ_SIZE = 65536
 _POLL_S = 0.1
-"""How soon a waiting program notices that its child has died."""
+"""Maximum delay until a waiting program notices that its child has ended."""
 _numbers = itertools.count()
 
 
 def module_command(module: str, *arguments: object) -> list[str]:
     """Return the command line that runs a module of the program.
 
-    ``-P`` keeps the working folder off the import path: there a user's ``signal.py`` or
-    ``model.py`` would be imported in place of Python's or the program's own module.
+    ``-P`` removes the working folder from the import path: a user's ``signal.py`` or ``model.py``
+    there would be imported instead of Python's or the program's module.
     """
     return [sys.executable, "-P", "-m", module, *map(str, arguments)]
 
 
 class Child:
-    """A module of the program that runs as a process of its own."""
+    """A module of the program that runs as a separate process."""
 
     def __init__(
         self,
@@ -66,9 +66,9 @@ class Child:
     ) -> None:
         """Start the module.
 
-        In a session of its own: Ctrl-C at the terminal is for the parent, which decides about the
-        child. pipes: with ``stdin`` and ``stdout`` for the program. log: file that takes
-        standard output and error. environment, folder (to work in): in place of the program's own.
+        In a new session: Ctrl-C at the terminal goes to the parent only, which controls the child.
+        pipes: with ``stdin`` and ``stdout`` for the program. log: file for standard output and
+        error. environment, folder (to work in): instead of the program's.
         """
         self._log: IO[bytes] = (
             tempfile.TemporaryFile() if log is None else log.open("w+b")  # noqa: SIM115
@@ -91,12 +91,12 @@ class Child:
 
     @property
     def status(self) -> int | None:
-        """Return the exit status, None while the process runs."""
+        """Return the exit status, None while the process is running."""
         return self._process.poll()
 
     @property
     def running(self) -> bool:
-        """Return whether the process runs."""
+        """Return whether the process is running."""
         return self.status is None
 
     @property
@@ -112,11 +112,11 @@ class Child:
         return self._process.stdout
 
     def wait(self, timeout: float | None = None) -> int:
-        """Return the exit status of a process that ends by itself; raise TimeoutExpired."""
+        """Wait for the process to end and return its exit status; raise TimeoutExpired."""
         return self._process.wait(timeout)
 
     def leave(self) -> None:
-        """Detach the process; a thread takes its exit status, or it would be a zombie."""
+        """Detach the process; a thread collects its exit status, to avoid a zombie."""
         self._log.close()
         Background(self._process.wait, f"end of process {self.pid}")
 
@@ -146,11 +146,11 @@ class Child:
         return line
 
     def kill(self) -> None:
-        """End the process by force; its pipes stay open for what it has written."""
+        """Kill the process; its pipes stay open for reading the rest."""
         self._process.kill()
 
     def close(self, grace_s: float = 0.0) -> None:
-        """End the process, after ``grace_s`` by force; safe to call twice."""
+        """End the process, and kill it after ``grace_s``; safe to call twice."""
         if grace_s:
             self._process.terminate()
             with suppress(subprocess.TimeoutExpired):
@@ -166,7 +166,7 @@ class Child:
 class MessageChild(Child):
     """A child that exchanges records with the program; for the thread that started it.
 
-    Raises zmq.ZMQError where the socket fails.
+    Raises zmq.ZMQError if the socket fails.
     """
 
     def __init__(
@@ -174,7 +174,7 @@ class MessageChild(Child):
     ) -> None:
         """Start the module with the arguments of ``Parent``.
 
-        folder, name: where the socket is, and how its file begins.
+        folder, name: folder of the socket, and prefix of its file name.
         """
         self._context = zmq.Context()
         self._socket = _new_socket(self._context)
@@ -188,14 +188,14 @@ class MessageChild(Child):
             raise
 
     def send(self, record: object) -> bool:
-        """Send a record; False where the child is not connected yet, or has a full queue."""
+        """Send a record; False if the child is not connected yet, or its queue is full."""
         if not self._socket.poll(0, zmq.POLLOUT):
             return False
         self._socket.send(encode(record), zmq.NOBLOCK)
         return True
 
     def receive(self, kind: type[Record], timeout_s: float = 0.0) -> Record | None:
-        """Return the next record; None when none comes in time, or the child has died."""
+        """Return the next record; None on time-out, or if the child has ended."""
         deadline = time.monotonic() + timeout_s
         while True:
             # Checked before the socket: the child's last message arrives before its end.
@@ -225,7 +225,7 @@ class Parent:
     """The program that started this process, with a socket to it."""
 
     def __init__(self, arguments: list[str]) -> None:
-        """Connect; arguments: endpoint and process id, as ``MessageChild`` gives them."""
+        """Connect; arguments: endpoint and process id, from ``MessageChild``."""
         self.pid = int(arguments[1])
         self._context = zmq.Context()
         self._socket = _new_socket(self._context)
@@ -233,24 +233,24 @@ class Parent:
 
     @property
     def alive(self) -> bool:
-        """Return whether the program still runs: else this process has another parent."""
+        """Return whether the program still runs: otherwise this process has another parent."""
         return os.getppid() == self.pid
 
     def receive(self, kind: type[Record], timeout_s: float = 0.0) -> Record | None:
-        """Return the next record, None when none comes in time."""
+        """Return the next record, None on time-out."""
         if not self._socket.poll(int(1000 * timeout_s)):
             return None
         return decode(self._socket.recv(), kind)
 
     def wait_for(self, kind: type[Record]) -> Record | None:
-        """Return the next record, None when the program has ended first."""
+        """Return the next record, None if the program ends first."""
         record = None
         while record is None and self.alive:
             record = self.receive(kind, 0.2)
         return record
 
     def send(self, record: object) -> None:
-        """Send a record; a program that has just ended is no error."""
+        """Send a record; no error if the program has just ended."""
         with suppress(zmq.ZMQError):
             self._socket.send(encode(record))
 
@@ -260,9 +260,9 @@ class Parent:
 
 
 class Restarts:
-    """Count the children that achieved nothing, and compute the pause before the next one.
+    """Count the consecutive failed children, and compute the pause before the next start.
 
-    The pause doubles with each of them: a child that fails at once must not keep a processor busy.
+    The pause doubles with each failure: a child that fails at once must not keep a processor busy.
     """
 
     def __init__(self, pause_s: float, attempts: int) -> None:
@@ -270,7 +270,7 @@ class Restarts:
         self._failed = 0
 
     def started(self) -> None:
-        """Count a child as failed until it has achieved something."""
+        """Count a child as failed until ``succeeded`` is called."""
         self._failed += 1
 
     def succeeded(self) -> None:
@@ -279,7 +279,7 @@ class Restarts:
 
     @property
     def exhausted(self) -> bool:
-        """Return whether no other child should be started."""
+        """Return whether no further child should be started."""
         return self._failed >= self._attempts
 
     @property
@@ -295,7 +295,7 @@ def write_frame(stream: IO[bytes], data: bytes) -> None:
 
 
 def read_frames(stream: IO[bytes]) -> Iterator[bytes]:
-    """Yield the messages of a pipe until it ends; raise ValueError for one that is too long."""
+    """Yield the messages of a pipe until its end; raise ValueError for one that is too long."""
     while head := stream.read(_HEAD):
         length = int.from_bytes(head, "little")
         if length > LONGEST_MESSAGE:
@@ -304,7 +304,7 @@ def read_frames(stream: IO[bytes]) -> Iterator[bytes]:
 
 
 def link_address(folder: Path, name: str) -> str:
-    """Return where to bind: a Unix socket, or a port of loopback where none can be."""
+    """Return the address to bind: a Unix socket, or else a port of the loopback interface."""
     address = f"ipc://{folder}/{name}"
     if sys.platform == "win32" or len(address) > LONGEST_ADDRESS:
         return "tcp://127.0.0.1:*"
@@ -314,8 +314,8 @@ def link_address(folder: Path, name: str) -> str:
 def bind_link(socket: zmq.Socket[bytes], address: str) -> tuple[str, dict[str, str]]:
     """Bind a socket and return its endpoint and the environment for the process that connects.
 
-    Every account of the computer reaches a port of loopback. There the link is encrypted (CurveZMQ)
-    with a key that only this environment holds: without it no handshake succeeds. A command line
+    Every account of the computer can reach a loopback port. There the link is encrypted (CurveZMQ)
+    with a key that is only in this environment: without it no handshake succeeds. A command line
     would show it to other accounts.
     """
     environment = dict(os.environ)
@@ -329,7 +329,7 @@ def bind_link(socket: zmq.Socket[bytes], address: str) -> tuple[str, dict[str, s
 
 
 def connect_link(socket: zmq.Socket[bytes], endpoint: str) -> None:
-    """Connect the socket of a started process, with the key of its environment where it has one."""
+    """Connect the socket of a started process, with the key of its environment if it has one."""
     key = os.environ.pop(KEY, "")
     if key:
         socket.curve_publickey, socket.curve_secretkey = zmq.curve_keypair()

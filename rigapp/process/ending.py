@@ -21,8 +21,8 @@ Result = TypeVar("Result")
 def termination_signals() -> Iterator[list[str]]:
     """Collect the names of the termination signals: Ctrl-C, kill, a closed terminal.
 
-    Must be entered in the main thread. A hang-up that is ignored (nohup) stays so. Raises
-    KeyboardInterrupt when one came before (``ending_as_interrupt``) and was lost.
+    Must be entered in the main thread. A hang-up that is ignored (nohup) remains ignored. Raises
+    KeyboardInterrupt if a signal was received before (``ending_as_interrupt``) and lost.
     """
     _end_if_heard(signal.getsignal(signal.SIGINT))
     names: list[str] = []
@@ -39,7 +39,7 @@ def termination_signals() -> Iterator[list[str]]:
 
 
 class Interrupting:
-    """Raise KeyboardInterrupt at a signal, and remember it: an import may swallow it.
+    """Raise KeyboardInterrupt at a signal, and store it, as an import may suppress it.
 
     An extension module that tries an optional import clears any pending exception.
     """
@@ -55,9 +55,9 @@ class Interrupting:
 
 @contextmanager
 def ending_as_interrupt() -> Iterator[None]:
-    """Make Ctrl-C, kill and a closed terminal raise KeyboardInterrupt, so that all is closed.
+    """Make Ctrl-C, kill and a closed terminal raise KeyboardInterrupt, for an orderly end.
 
-    Where it is lost it is raised at the end. Outside of the main thread it does nothing.
+    A lost one is raised at the end. Outside the main thread this has no effect.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -81,7 +81,7 @@ class Background(Generic[Result]):
     """Run work that may hang in a daemon thread."""
 
     def __init__(self, work: Callable[[], Result], name: str) -> None:
-        """Begin at once."""
+        """Start at once."""
         self._work = work
         self._results: list[Result] = []
         self._ended = threading.Event()
@@ -90,11 +90,11 @@ class Background(Generic[Result]):
 
     @property
     def done(self) -> bool:
-        """Return whether it has ended, with or without an error."""
+        """Return whether the work has ended, with or without an error."""
         return self._ended.is_set()
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait for the end; False when it did not come in time."""
+        """Wait for the end; return False on time-out."""
         return self._ended.wait(timeout_s)
 
     def result(self) -> Result:
@@ -119,10 +119,10 @@ def shutdown_with_timeout(
     give_up: Callable[[], None],
     limit_s: float,
 ) -> None:
-    """Do the last work of a program; when it hangs, or a further signal comes, end the process.
+    """Do the final work of a program; if it hangs, or on a further signal, end the process.
 
-    signals: as ``termination_signals`` collects them. While ``turning`` it takes two more, so that
-    impatience does not abandon a turning spindle. give_up: called before the process is ended.
+    signals: from ``termination_signals``. While ``turning`` two more are required, so that an
+    impatient user does not abandon a turning spindle. give_up: called before the process is ended.
     """
     heard, deadline = len(signals), time.monotonic() + limit_s
     closing = Background(work, "closing")

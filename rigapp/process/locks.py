@@ -1,4 +1,4 @@
-"""A lock on a file that one process holds, and the system releases when that process dies."""
+"""A file lock held by one process, which the system releases when the process ends."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ import sys
 
 
 def taken(descriptor: int) -> bool:
-    """Take the lock of an open file without waiting; False where another one has it.
+    """Acquire the lock of an open file without waiting; return False if another process has it.
 
-    Where the system has no such locks it always counts as taken.
+    Always True on systems without such locks.
     """
     if sys.platform == "win32":
         return True

@@ -1,7 +1,7 @@
-"""The program's log: its level, the terminal and files.
+"""Logging of the program: level, terminal and files.
 
-Modules write to ``logging.getLogger(__name__)`` alone. Writers never wait: a slow disk or a stalled
-terminal costs log lines, not samples.
+Modules write to ``logging.getLogger(__name__)`` only. Writers never wait: a slow disk or a stalled
+terminal loses log lines, not samples.
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ from rigapp.texts import joined, say
 
 LEVELS = ("debug", "info", "warning", "error")
 LEVEL_VARIABLE = "RIGAPP_LOG_LEVEL"
-"""Environment variable that hands the level on to the processes of this one."""
+"""Environment variable that passes the level to child processes."""
 
 OWN = ("rigapp", "rigapp_drivers", "rigapp_model", "rigapp_calibration")
 MOST_WAITING = 1000  # lines; more come only from a malfunction
 LARGEST_FILE = 1_000_000
-"""Bytes of a log file; the one before is kept beside it."""
+"""Maximum bytes of a log file; one previous file is kept."""
 LAST_WORDS_S = 2.0
-"""Time that the end waits for unwritten lines."""
+"""Maximum wait at the end for unwritten lines."""
 
 _FORMAT = "%(asctime)s %(levelname)-7s %(name)s: %(message)s"
 
 
 class BoundedQueueHandler(logging.Handler):
-    """Hand records to a handler in a thread of its own; a full queue drops new records."""
+    """Pass records to a handler in a separate thread; a full queue drops new records."""
 
     def __init__(self, target: logging.Handler, name: str) -> None:
         super().__init__(target.level)
@@ -49,7 +49,7 @@ class BoundedQueueHandler(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Queue a record with its text formatted now; never waits, never raises.
 
-        Of other packages only warnings are kept.
+        Records of other packages are kept from level warning.
         """
         if record.levelno < logging.WARNING and record.name.partition(".")[0] not in OWN:
             return
@@ -59,7 +59,7 @@ class BoundedQueueHandler(logging.Handler):
             self._waiting.put_nowait(message)
 
     def close(self) -> None:
-        """Write the queue, for ``LAST_WORDS_S`` at most."""
+        """Write the queue, waiting at most ``LAST_WORDS_S``."""
         with suppress(queue.Full):
             self._waiting.put(None, timeout=LAST_WORDS_S)
         self._thread.join(LAST_WORDS_S)
@@ -69,7 +69,7 @@ class BoundedQueueHandler(logging.Handler):
         while (record := self._waiting.get()) is not None:
             with suppress(Exception):
                 self._target.handle(record)
-        # A lost disk refuses the last lines once more here.
+        # A lost disk fails again here for the last lines.
         with suppress(Exception):
             self._target.close()
 
@@ -82,17 +82,17 @@ class _Terminal(logging.StreamHandler):  # type: ignore[type-arg]
         super().emit(record)
 
     def handleError(self, record: logging.LogRecord) -> None:
-        """Do nothing: the terminal is gone."""
+        """Do nothing: the terminal is closed."""
 
 
 class _File(logging.handlers.RotatingFileHandler):
-    """A bounded file that is made by the first record."""
+    """A file of limited size, created by the first record."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path, maxBytes=LARGEST_FILE, backupCount=1, encoding="utf-8", delay=True)
 
     def _open(self) -> TextIOWrapper:
-        """Open the file, never through a link or a pipe of another user."""
+        """Open the file, but not through a link or a pipe of another user."""
         flags = os.O_WRONLY | os.O_CREAT | os.O_APPEND
         for name in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC"):
             flags |= getattr(os, name, 0)
@@ -103,11 +103,11 @@ class _File(logging.handlers.RotatingFileHandler):
         return TextIOWrapper(open(fd, "ab"), encoding="utf-8")
 
     def handleError(self, record: logging.LogRecord) -> None:
-        """Do nothing: a log that cannot be written ends no test."""
+        """Do nothing: a failed write to the log must not end a test."""
 
 
 def chosen_level(option: str | None) -> str:
-    """Return the level of an option, of the environment without one, "warning" by default.
+    """Return the level of an option, else of the environment, else "warning".
 
     Raises UnusableInput.
     """
@@ -121,7 +121,7 @@ def chosen_level(option: str | None) -> str:
 
 @contextmanager
 def on_terminal(level: str) -> Iterator[None]:
-    """Log from a level on to standard error inside it; children inherit the level."""
+    """Log records from a level to standard error in this context; children inherit the level."""
     os.environ[LEVEL_VARIABLE] = level
     terminal = _Terminal()
     terminal.setLevel(level.upper())
@@ -132,7 +132,7 @@ def on_terminal(level: str) -> Iterator[None]:
 
 @contextmanager
 def in_file(path: Path) -> Iterator[None]:
-    """Log from "info" on, or from the chosen level if that is lower, to a file inside it."""
+    """Log records from "info", or from a lower chosen level, to a file in this context."""
     file = _File(path)
     file.setLevel(min(logging.INFO, getattr(logging, chosen_level(None).upper())))
     file.setFormatter(logging.Formatter(_FORMAT))
@@ -147,7 +147,7 @@ def log_beside(result: Path) -> Path:
 
 @contextmanager
 def _attached(target: logging.Handler, name: str) -> Iterator[None]:
-    """Attach a handler to the root logger inside it."""
+    """Attach a handler to the root logger in this context."""
     outlet = BoundedQueueHandler(target, name)
     logging.getLogger().addHandler(outlet)
     _listen()

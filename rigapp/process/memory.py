@@ -11,7 +11,7 @@ from contextlib import suppress
 
 
 def begin_to_load() -> None:
-    """Disable garbage collection while modules are loaded and a window is made.
+    """Disable garbage collection while modules are loaded and a window is created.
 
     ``end_of_loading`` ends it.
     """
@@ -21,13 +21,13 @@ def begin_to_load() -> None:
 def end_of_loading() -> None:
     """Enable garbage collection, and freeze all objects made so far.
 
-    A collection over the objects of all libraries stops a process for some 40 ms, again and again.
+    Each collection of the objects of all libraries would pause a process for about 40 ms.
     """
     gc.freeze()
     gc.enable()
 
 
 def give_back() -> None:
-    """Return freed memory to the operating system where the C library keeps it, as glibc does."""
+    """Return freed memory to the operating system if the C library retains it, as glibc does."""
     with suppress(AttributeError, OSError, TypeError):
         ctypes.CDLL(None).malloc_trim(0)

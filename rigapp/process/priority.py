@@ -7,7 +7,7 @@ import sys
 
 
 def lower_priority(niceness: int) -> None:
-    """Lower this process's priority by so much, 0 to 19; on Windows to the class below normal."""
+    """Lower this process's priority by ``niceness``, 0 to 19; on Windows to below normal."""
     if sys.platform != "win32":
         os.nice(niceness)
     else:

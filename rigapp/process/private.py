@@ -1,4 +1,4 @@
-"""Folders and files with access for one user alone: made so, and checked."""
+"""Create and check folders and files that only their owner can access."""
 
 from __future__ import annotations
 
@@ -12,21 +12,20 @@ SMALL_BYTES = 1 << 16
 
 
 def owned_by_user(status: os.stat_result) -> bool:
-    """Return whether a file or folder belongs to this user; True where there are no owners."""
+    """Return whether a file or folder belongs to this user; True on systems without owners."""
     return not hasattr(os, "getuid") or status.st_uid == os.getuid()
 
 
 def open_to_others(status: os.stat_result) -> bool:
-    """Return whether another user may read or write a file; False where there are no modes."""
+    """Return whether another user may read or write a file; False on systems without modes."""
     return hasattr(os, "getuid") and bool(status.st_mode & 0o077)
 
 
 def private_folder(folder: Path, instead: str = "") -> Path:
-    """Return a folder of mode 0700 that is ours and no link, made if missing.
+    """Return a folder of mode 0700 owned by this user and no link; create it if missing.
 
-    One of ours that others can only read is closed to them. One into which others can write is
-    refused, as its content may be theirs. instead: another remedy, for the sentence. Raises
-    UnusableInput.
+    A folder that others can only read is closed to them. One that others can write is refused, as
+    its content may be theirs. instead: another remedy for the error text. Raises UnusableInput.
     """
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -51,7 +50,7 @@ def private_folder(folder: Path, instead: str = "") -> Path:
 
 
 def read_own(path: Path) -> bytes | None:
-    """Return a small file of ours, None for what is missing, a link, not ours, or no small file."""
+    """Return a small regular file of this user; None if missing, a link or any other file."""
     try:
         descriptor = os.open(
             path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
@@ -72,7 +71,7 @@ def read_own(path: Path) -> bytes | None:
 
 
 def read_secret(path: Path) -> bytes:
-    """Return a file of ours that nobody else can read; raise UnusableInput."""
+    """Return a file of this user that no other user can read; raise UnusableInput."""
     text = read_own(path)
     if text is None:
         raise UnusableInput("{}: is no small file of yours; a link is not followed.", path)

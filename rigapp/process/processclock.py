@@ -1,6 +1,6 @@
-"""The time that a process could run: the wall clock less its lateness.
+"""Clock of the time during which a process could run: the wall clock minus its lateness.
 
-On an overloaded or stalled computer, host and simulated devices are late together; that must not
+On an overloaded or stalled computer, host and simulated devices are late together; this must not
 trip a watchdog, nor make a device count as silent.
 """
 
@@ -10,21 +10,21 @@ import threading
 from collections import deque
 
 LONGEST_PASS_S = 0.05
-"""No pass and no wait of a loop is longer unless the computer makes it so."""
+"""Maximum duration of a loop's pass or wait; a longer one is due to the computer."""
 DEVICE_SHARE = 0.5
-"""Least part of the wall clock's time that passes for a simulated device. A watchdog that is due
-fires within twice its time, however busy the computer is: ``--speed max`` keeps it always busy,
-and a drive that needs silence until then (``StopSequence.quiet``) gets it for so long."""
+"""Minimum ratio of a simulated device's time to the wall clock's. A watchdog that is due fires
+within twice its time on any busy computer: ``--speed max`` keeps it always busy, and a drive that
+needs silence until then (``StopSequence.quiet``) gets it for that long."""
 LATENESS_S = 0.001
 """Lateness of a wake-up on an idle computer."""
 
 
 class ProcessClock:
-    """A loop's own time: the time that it ran or chose to wait since the last ``tick``.
+    """Clock of a loop: the time during which it ran or chose to wait since the last ``tick``.
 
-    The time for which it waited for a processor, or the whole computer stalled, is left out, but
-    for ``LATENESS_S`` a tick. Where nothing else runs it is the wall clock. least_share:
-    part of the wall clock's time that passes in any case, unless a single pass is too long.
+    The time of waiting for a processor, or of a stall of the whole computer, is excluded, except
+    ``LATENESS_S`` per tick. On an idle computer it equals the wall clock. least_share: minimum
+    ratio to the wall clock's time, unless a single pass is too long.
     """
 
     def __init__(self, now_s: float, ran_s: float, least_share: float = 0.0) -> None:
@@ -35,7 +35,7 @@ class ProcessClock:
         self._ran_s = ran_s
 
     def tick(self, now_s: float, ran_s: float, waited_s: float) -> float:
-        """Return the own time; waited_s: wait that was requested since the last call."""
+        """Return the loop's time; waited_s: wait requested since the last call."""
         passed = max(0.0, now_s - self._wall_s)
         own = max(0.0, ran_s - self._ran_s) + waited_s + LATENESS_S
         own = max(own, self._least_share * passed)
@@ -44,7 +44,7 @@ class ProcessClock:
         return self.time_s
 
 
-TICKS_KEPT = 4096  # passes of the loop: minutes; older ones do not explain present lateness
+TICKS_KEPT = 4096  # passes of the loop, some minutes; older ones do not explain present lateness
 
 
 class Lateness:
@@ -54,20 +54,20 @@ class Lateness:
     """
 
     def __init__(self, now_s: float, ran_s: float) -> None:
-        """Begin without lateness; ran_s: processor time of the loop's thread so far."""
+        """Start without lateness; ran_s: processor time of the loop's thread so far."""
         self._own = ProcessClock(now_s, ran_s)
         self._ticks = deque([(now_s, 0.0)], TICKS_KEPT)
         self._begun_s = now_s
         self._lock = threading.Lock()
 
     def tick(self, now_s: float, ran_s: float, waited_s: float) -> None:
-        """Take a pass of the loop; waited_s: wait that it requested since the last one."""
+        """Record a pass of the loop; waited_s: wait requested since the last one."""
         own_s = self._own.tick(now_s, ran_s, waited_s)
         with self._lock:
             self._ticks.append((now_s, now_s - own_s))
 
     def since(self, start_s: float, now_s: float) -> float:
-        """Return the seconds of lateness between two times, the pass under way included."""
+        """Return the seconds of lateness between two times, including the present pass."""
         with self._lock:
             last_s, total = self._ticks[-1]
             before_s, before = next(

@@ -1,4 +1,4 @@
-"""Leftovers of killed processes: known by the process id in the name, removed if that is dead."""
+"""Find and remove files of killed processes by the process id in their names."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ def process_alive(pid: int) -> bool:
 
 
 def pid_exists(pid: int) -> bool:
-    """Return whether the process whose id is in a name may still run.
+    """Return whether the process with an id from a file name may still run.
 
-    One that is no Python program got the same id later.
+    A process that is no Python program has reused the id.
     """
     if not process_alive(pid):
         return False
@@ -39,7 +39,7 @@ def pid_exists(pid: int) -> bool:
 
 
 def find_stale(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
-    """Return our files in a folder whose process is dead, with the match of the name.
+    """Return this user's files whose process has ended, with the match of the name.
 
     pattern: of the whole name, with a group ``pid``.
     """
@@ -53,7 +53,7 @@ def find_stale(folder: Path, pattern: str) -> list[tuple[Path, re.Match[str]]]:
 
 
 def remove_left_behind(folder: Path, pattern: str) -> list[Path]:
-    """Remove what ``find_stale`` finds, folders with their content; return the paths."""
+    """Remove the results of ``find_stale``, folders with their content; return the paths."""
     removed = [path for path, _ in find_stale(folder, pattern)]
     for path in removed:
         if path.is_dir() and not path.is_symlink():

@@ -9,15 +9,15 @@ from collections.abc import Callable
 from rigapp.schema.states import Refused
 
 OVERSLEPT_S = 1.0
-"""When a pause takes so much longer than requested, the whole process did not run."""
+"""Excess duration of a pause which shows that the whole process did not run."""
 
 
 class Worker:
-    """Run a step again and again in a thread of its own.
+    """Run a step repeatedly in a separate thread.
 
     step: does a piece of work and returns within a fraction of a second; returning False ends the
-    thread as intended. on_death: called once, in the failing thread, when step raised. age_s:
-    returns the age of a host time, to judge a silence by.
+    thread normally. on_death: called once, in the failing thread, if step raised. age_s: returns
+    the age of a host time, to measure the duration of a silence.
     """
 
     def __init__(
@@ -64,12 +64,12 @@ class Worker:
             self._overslept = (woken_s, over_s)
 
     def overslept(self, since_s: float) -> float:
-        """Return by how many seconds a pause that ended since then was too long, 0 for none."""
+        """Return the excess duration in s of a pause that ended since then, 0 for none."""
         woken_s, over_s = self._overslept
         return over_s if woken_s >= since_s else 0.0
 
     def join(self, timeout_s: float) -> bool:
-        """Wait for the end of the thread; False when it did not come in time."""
+        """Wait for the end of the thread; return False on time-out."""
         if self._thread.ident is None or self._thread is threading.current_thread():
             return True
         self._thread.join(timeout_s)
@@ -85,7 +85,7 @@ class Worker:
 
     @property
     def well(self) -> bool:
-        """Return whether the thread runs with a heartbeat, or ended as intended."""
+        """Return whether the thread is running with a heartbeat, or ended normally."""
         if self.ended and self.error is None:
             return True
         return self._thread.is_alive() and self.silent_for() < self.silence_s
@@ -112,7 +112,7 @@ class CommandLock:
         self._since = 0.0
 
     def __enter__(self) -> None:
-        """Wait for the earlier command; raise Refused when it takes too long."""
+        """Wait for the previous command; raise Refused on time-out."""
         if not self._lock.acquire(timeout=self._wait_s):
             since = time.monotonic() - self._since
             raise Refused(

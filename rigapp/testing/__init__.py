@@ -1,8 +1,7 @@
-"""The contract that every driver keeps, as a suite of tests for whoever writes one.
+"""Test suite of the driver contract, for authors of drivers.
 
-``plugin`` is the plug-in for pytest, ``contracts`` reads which drivers are tried and which faults
-they must tell, ``bench`` puts a driver in front of its simulator on a wire that can break. The
-suite:
+``plugin`` is the pytest plug-in, ``contracts`` reads the drivers under test and the faults that
+they must report, ``bench`` connects a driver to its simulator by a wire with faults. The suite:
 
     pytest -p rigapp.testing.plugin --pyargs rigapp.testing --rigapp-contract contract.toml
 """

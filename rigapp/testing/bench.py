@@ -1,4 +1,4 @@
-"""A driver in front of its simulator on a wire that can break, and the truth that it was fed."""
+"""Test bench: a driver connected to its simulator by a wire with faults, and the true values."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ from rigapp_drivers.registry import check_settings, load_simulator
 from rigapp_drivers.simulator_api import DriveCommand, DriveMode, MotorState, RigSignals
 
 PATIENCE = 3.0
-"""So many times longer may a driver take on a busy computer than the contract says."""
+"""Factor on the contract's times, for a busy computer."""
 PERIOD = 480
-"""Samples of a revolution; the first analog input says which of them a sample is."""
+"""Samples per revolution; the first analog input encodes the index of a sample."""
 COUNTS = 3600
 SPAN = 0.9
 TOLERANCE = 2e-3
@@ -46,7 +46,7 @@ Produce = Callable[[float], bytes]
 
 
 def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 60.0) -> None:
-    """Wait for a condition; fail with what was waited for."""
+    """Wait for a condition; fail with its description."""
     deadline = time.monotonic() + timeout_s
     while not condition():
         assert time.monotonic() < deadline, f"waited {timeout_s:g} s in vain: {what}"
@@ -54,9 +54,9 @@ def wait_until(condition: Callable[[], bool], what: str, timeout_s: float = 60.0
 
 
 class Port:
-    """One simulated device on one port whose name outlives a pulled cable.
+    """One simulated device on a port whose name persists when the cable is pulled.
 
-    time_s: the device's own time, which passes only while this computer lets it run.
+    time_s: the device's time, which advances only while this process runs.
     """
 
     def __init__(self, simulator: Any, link: Path, produce: Produce, *, streams: bool) -> None:
@@ -72,7 +72,7 @@ class Port:
         self._thread.start()
 
     def start_fault(self, fault: ExpectedFault) -> None:
-        """Let a fault begin, on the wire or in the device."""
+        """Begin a fault of the wire or of the device."""
         with self._lock:
             if fault.layer == "wire":
                 self.wire.start_fault(WireFault(fault.kind), fault.value or 0.0)
@@ -81,7 +81,7 @@ class Port:
             self._simulator.inject(fault.kind, **{k: v for k, v in data.items() if v is not None})
 
     def stop_fault(self, fault: ExpectedFault) -> None:
-        """Let a fault end."""
+        """End a fault."""
         with self._lock:
             if fault.layer == "wire":
                 self.wire.stop_fault(WireFault(fault.kind))
@@ -89,7 +89,7 @@ class Port:
                 self._simulator.clear(fault.kind)
 
     def close(self) -> None:
-        """End the device and say what went wrong in it."""
+        """Stop the device and raise its error, if any."""
         self._stopping.set()
         self._thread.join(60.0)
         self.wire.close()
@@ -125,7 +125,7 @@ class Port:
 
 
 class SlowBench:
-    """A slow source, its simulator, and values that differ by quantity."""
+    """A slow source, its simulator, and a distinct value of each quantity."""
 
     def __init__(self, contract: Contract, link: Path, settings: dict[str, Any]) -> None:
         self.contract = contract
@@ -163,7 +163,7 @@ class SlowBench:
 
 
 class Feed:
-    """Feed a simulated data source on the clock; sample k of a turn has values of its own."""
+    """Feed a simulated data source in real time; each sample of a turn has distinct values."""
 
     def __init__(self, simulator: Any, inputs: dict[str, tuple[str, float]]) -> None:
         self._simulator = simulator
@@ -177,7 +177,7 @@ class Feed:
         self.samples = 0
 
     def __call__(self, now_s: float) -> bytes:
-        """Return the bytes of the samples that came due."""
+        """Return the bytes of the samples that are due."""
         self._last = now_s if self._last is None else self._last
         self._due += (now_s - self._last) * self._simulator.sample_rate_Hz
         self._last = now_s
@@ -194,7 +194,7 @@ class Feed:
 
 
 def truth(row: int, index: NDArray[Any]) -> NDArray[np.float64]:
-    """Return what the analog input at a place of the request sees, as a part of its range."""
+    """Return the true signal of the analog input with index ``row``, as a fraction of its range."""
     turn = (np.asarray(index) % PERIOD) / PERIOD
     if row == 0:
         return np.asarray(SPAN * (2.0 * turn - 1.0))
@@ -202,7 +202,7 @@ def truth(row: int, index: NDArray[Any]) -> NDArray[np.float64]:
 
 
 class SourceBench:
-    """A data source, its simulator, and the judge of what it hands over."""
+    """A data source, its simulator, and the check of its samples."""
 
     def __init__(self, contract: Contract, link: Path, settings: dict[str, Any]) -> None:
         self.contract = contract
@@ -232,7 +232,7 @@ class SourceBench:
         self.driver.start()
 
     def blocks(self, samples: int, timeout_s: float = 60.0) -> list[Block]:
-        """Read until so many samples came."""
+        """Read until ``samples`` samples were received."""
         blocks: list[Block] = []
         deadline = time.monotonic() + timeout_s
         while sum(block.values.shape[1] for block in blocks) < samples:
@@ -243,9 +243,9 @@ class SourceBench:
         return blocks
 
     def judge(self, blocks: list[Block], *, gaps: bool = False) -> None:
-        """Compare every sample that is not flagged with what the simulator was fed.
+        """Compare every sample without a flag with the simulator's input.
 
-        gaps: samples may be missing unseen, as far as the encoder's count shows it.
+        gaps: samples may be missing without a report if the encoder's count shows it.
         """
         assert self.setup is not None
         rows = [spec.name for spec in self.setup.channels]
@@ -286,7 +286,7 @@ class SourceBench:
 
 
 class Motor:
-    """Turn as the drive wants, without inertia."""
+    """A motor without inertia that follows the drive's command."""
 
     def __init__(self, simulator: Any) -> None:
         self._simulator = simulator
@@ -297,7 +297,7 @@ class Motor:
         self._last: float | None = None
 
     def __call__(self, now_s: float) -> bytes:
-        """Advance to now and return what the drive sends."""
+        """Advance to now and return the bytes sent by the drive."""
         if self.speed_count_per_s:
             self.stood_s = now_s
         elapsed = 0.0 if self._last is None else now_s - self._last
@@ -341,7 +341,7 @@ class SpindleBench:
         assert 0.0 < float(readback["watchdog_timeout_s"]) <= watchdog_s
 
     def turn(self, speed: float = 2.0) -> None:
-        """Turn at a speed in rev/s and see that the motor does."""
+        """Command a speed in rev/s and check that the motor reaches it."""
         self.driver.set_speed(speed, 1000.0)
 
         def turns() -> bool:
@@ -352,7 +352,7 @@ class SpindleBench:
         wait_until(turns, f"the motor to turn at {speed} rev/s")
 
     def in_background(self, call: Callable[[], None]) -> threading.Thread:
-        """Begin a call that takes long; what the driver refuses of it is no matter."""
+        """Start a slow call in a thread; its errors are ignored."""
 
         def run() -> None:
             with contextlib.suppress(DeviceError):
@@ -363,11 +363,11 @@ class SpindleBench:
         return thread
 
     def is_safe(self) -> bool:
-        """Return whether nothing drives the motor and it stands."""
+        """Return whether the motor is stationary and not driven."""
         return self.motor.speed_count_per_s == 0.0 and self.motor.command.duty == 0.0
 
     def stops_within(self, seconds: float, since_s: float, what: str) -> None:
-        """Wait until the spindle is safe; it must be by then, on the drive's clock."""
+        """Wait until the spindle is safe; fail if it takes longer, by the drive's clock."""
         wait_until(self.is_safe, what)
         took_s = self.motor.stood_s - since_s
         assert took_s <= seconds, f"{what}: {took_s:.2f} s instead of {seconds:g} s"
@@ -381,7 +381,7 @@ class SpindleBench:
 
 
 def make_simulator(contract: Contract, facts: dict[str, Any]) -> Any:
-    """Return the driver's simulator with the facts that it has parameters for."""
+    """Return the driver's simulator with those facts for which it has parameters."""
     import inspect
 
     simulator = load_simulator(contract.info)

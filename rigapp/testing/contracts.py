@@ -1,7 +1,7 @@
-"""The contract's table: which drivers, how they are asked, which faults they must tell and when.
+"""Contract tables: the drivers, their requests, and the faults to report with time limits.
 
-``shipped.toml`` holds the shipped drivers. A driver of another package brings a file of the same
-form.
+``shipped.toml`` contains the shipped drivers. A driver of another package provides a file of the
+same format.
 """
 
 from __future__ import annotations
@@ -20,15 +20,14 @@ SHIPPED = Path(__file__).with_name("shipped.toml")
 
 @dataclass(frozen=True)
 class ExpectedFault:
-    """One row: what happens, how the driver tells it, within how many seconds.
+    """One row: a fault, the driver's report of it, and the time limit in s.
 
-    layer: ``wire`` (of any device) or ``device`` (the simulator's own list). drivers: names, or
-    ``data source`` / ``spindle`` / ``slow source`` for
-    all of a kind. tells: names of error classes, ``flag NAME`` of
-    a sample's quality, ``fault`` or ``warning`` in the drive's status, ``log`` (a warning of the
-    driver), ``silence`` (no samples at all) or ``nothing`` (the fault is borne). words: a regular
-    expression for the text. unnumbered: samples are lost without a number, so that the gap stands
-    where only the encoder's count shows it, and the report comes later.
+    layer: ``wire`` (of any device) or ``device`` (the simulator's list). drivers: names, or ``data
+    source`` / ``spindle`` / ``slow source`` for all of a kind. tells: names of error classes,
+    ``flag NAME`` of a sample's quality, ``fault`` or ``warning`` in the drive's status, ``log`` (a
+    warning of the driver), ``silence`` (no samples at all) or ``nothing`` (the fault is tolerated).
+    words: a regular expression for the text. unnumbered: an unknown number of samples is lost, so
+    that only the encoder's count shows the position of the gap, and the report comes later.
     """
 
     kind: str
@@ -51,7 +50,7 @@ class ExpectedFault:
 
 @dataclass(frozen=True)
 class Contract:
-    """A driver, how the suite configures it and its simulator, and its faults."""
+    """A driver, its configuration and that of its simulator in the suite, and its faults."""
 
     info: DriverInfo
     settings: dict[str, Any]
@@ -61,7 +60,7 @@ class Contract:
     faults: tuple[ExpectedFault, ...]
 
     def fault(self, kind: str) -> ExpectedFault:
-        """Return the row of a fault that every driver of this kind must bear; raise LookupError."""
+        """Return the row of a fault common to all drivers of this kind; raise LookupError."""
         for row in self.faults:
             if row.kind == kind:
                 return row
@@ -69,10 +68,9 @@ class Contract:
 
 
 def read_contracts(others: Iterable[Path] = ()) -> list[Contract]:
-    """Return a contract for every driver that a table names.
+    """Return a contract for every driver in the tables.
 
-    others: tables of drivers of other packages. Raises ValueError where a table names a driver
-    that is not installed.
+    others: tables of other packages. Raises ValueError for a driver that is not installed.
     """
     files = [tomllib.loads(path.read_text("utf-8")) for path in (SHIPPED, *others)]
     rows = [_row(row) for file in files for row in file.get("fault", ())]
@@ -99,7 +97,7 @@ def read_contracts(others: Iterable[Path] = ()) -> list[Contract]:
 
 
 def _own_rows_first(rows: tuple[ExpectedFault, ...], name: str) -> tuple[ExpectedFault, ...]:
-    """Let a row that names the driver take the place of one for its whole kind."""
+    """Replace rows for a whole kind of driver by rows that name the driver."""
     own = [row for row in rows if name in row.drivers]
     taken = {row.name for row in own}
     return (*own, *(row for row in rows if name not in row.drivers and row.name not in taken))

@@ -1,4 +1,4 @@
-"""The plug-in for pytest: every test of the suite on every driver that it is about."""
+"""pytest plug-in: run every test of the suite with every driver to which it applies."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ ARGUMENTS = {
     "slow_fault": (DriverKind.SLOW_SOURCE, True),
     "contract": (None, False),
 }
-"""What a test of the suite may ask for: drivers of a kind, or each with each of its faults."""
+"""Arguments of the suite's tests: drivers of a kind, or each with each of its faults."""
 CONTRACTS = pytest.StashKey[list[Contract]]()
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Take the tables of drivers of other packages."""
+    """Add the option for contract tables of other packages."""
     parser.addoption(
         OPTION,
         action="append",
@@ -45,13 +45,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Name the marks of the suite's tests."""
+    """Register the marks of the suite's tests."""
     config.addinivalue_line("markers", f"{MARK}: runs on every driver that a contract names")
     config.addinivalue_line("markers", "sampled: rigapp's default suite runs a part of its cases")
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Give a test of the suite the drivers, or the drivers with their faults, that it asks for."""
+    """Parametrise a test of the suite with drivers, or with drivers and their faults."""
     if metafunc.definition.get_closest_marker(MARK) is None:
         return
     contracts = _contracts(metafunc.config)
@@ -67,7 +67,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def _contracts(config: pytest.Config) -> list[Contract]:
-    # Every test of the suite asks, and each reading looks through all installed packages.
+    # Cached: every test of the suite needs them, and each reading scans all installed packages.
     contracts = config.stash.get(CONTRACTS, None)
     if contracts is None:
         try:
@@ -80,13 +80,13 @@ def _contracts(config: pytest.Config) -> list[Contract]:
 
 @pytest.fixture
 def known_drivers(pytestconfig: pytest.Config) -> tuple[DriverInfo, ...]:
-    """Return every driver that a contract names."""
+    """Return the drivers of all contracts."""
     return tuple(contract.info for contract in _contracts(pytestconfig))
 
 
 @pytest.fixture
 def bench(tmp_path: Path) -> Iterator[Callable[..., Any]]:
-    """Make benches: ``bench(contract, **settings)``; all are closed at the end."""
+    """Return the factory of benches, ``bench(contract, **settings)``; closes all at the end."""
     made: list[Any] = []
 
     def make(contract: Contract, **settings: Any) -> Any:

@@ -1,4 +1,4 @@
-"""What every data source must do, in front of its simulator; faults as in the contract."""
+"""Contract tests of every data source with its simulator, including the contract's faults."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_open_configure_stream_stop_close_reopen_twice(source: Contract, bench: 
 
 
 def _counts(b: SourceBench) -> None:
-    """See that a driver that counts has counted bytes, and nothing that is wrong."""
+    """Check that a driver with counters has counted bytes, and no errors."""
     if isinstance(b.driver, LineCounters):
         counters = dict(b.driver.counters())
         assert counters.pop("bytes_received") > 0
@@ -132,7 +132,7 @@ def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
 def _read_until_told(
     b: SourceBench, fault: ExpectedFault, log: pytest.LogCaptureFixture
 ) -> tuple[list[Block], str, str]:
-    """Return the samples until something was told, what, and in which words."""
+    """Return the samples until a report, the kind of the report, and its text."""
     blocks: list[Block] = []
     patience = 1.0 if "nothing" in fault.tells else PATIENCE
     deadline = b.port.time_s + patience * fault.within_s
@@ -163,14 +163,14 @@ def _named(error: DeviceError, b: SourceBench) -> tuple[str, str]:
 
 
 def _words(b: SourceBench) -> str:
-    """Return what the driver says of its inputs."""
+    """Return the driver's input faults in words."""
     if not isinstance(b.driver, InputSupervision):
         return ""
     return ", ".join(fault.words for fault in b.driver.input_faults())
 
 
 def _goes_on(b: SourceBench) -> None:
-    """See that good samples come again without a new connection."""
+    """Check that good samples arrive again without a new connection."""
 
     def good() -> bool:
         blocks = b.blocks(50)
@@ -181,7 +181,7 @@ def _goes_on(b: SourceBench) -> None:
 
 
 def _reconnects(b: SourceBench) -> None:
-    """Open again, as the engine does, until it works; then the samples are good."""
+    """Reopen until it succeeds, as the engine does; then the samples are good."""
     b.driver = b.make()
 
     def connected() -> bool:

@@ -1,4 +1,4 @@
-"""The device is found by asking, and no question moves or changes anything."""
+"""Contract tests of discovery: probes find the device, and move or change nothing."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Drivers = Sequence[DriverInfo]
 
 
 def answer_at(port: str, drivers: Drivers) -> Answer:
-    """Return who answers on a port, asked again as a person would on a busy computer."""
+    """Probe a port, with retries as by a user on a busy computer; return the result."""
     inquiries = (ask(port, drivers) for _ in range(10))
     answer = next((inquiry.answer for inquiry in inquiries if inquiry.answer is not None), None)
     assert answer is not None

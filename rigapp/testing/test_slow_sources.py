@@ -1,4 +1,4 @@
-"""What every slow source must do, in front of its simulator; faults as in the contract."""
+"""Contract tests of every slow source with its simulator, including the contract's faults."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every spindle must do, in front of its simulator; faults as in the contract."""
+"""Contract tests of every spindle with its simulator, including the contract's faults."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ Make = Callable[..., SpindleBench]
 SAFE_S = WATCHDOG_S + 1.5
 PATIENT_S = 5.0
 PROMPT_S = 0.2
-"""A power-off is on the wire by then, in the drive's time: it waits for no time-out."""
+"""Time limit for a power-off to be sent, by the drive's clock: it waits for no time-out."""
 BORNE = ("nothing", "warning", "log")
-"""What is told when the spindle goes on turning."""
+"""Kinds of report after which the spindle continues to turn."""
 
 
 def test_open_configure_turn_stop_close_reopen_twice(spindle: Contract, bench: Make) -> None:
@@ -252,7 +252,7 @@ def test_fault_is_told_in_time_and_the_spindle_is_safe(
 def _poll_until_told(
     b: SpindleBench, fault: ExpectedFault, log: pytest.LogCaptureFixture
 ) -> tuple[str, str]:
-    """Poll as the engine does; return what was told and in which words. Values must be true."""
+    """Poll as the engine does and check the values; return the kind of the report and its text."""
     patience = 1.0 if "nothing" in fault.tells else PATIENCE
     deadline = b.port.time_s + patience * fault.within_s
     reported = "nothing", ""
@@ -290,7 +290,7 @@ def _is_true(b: SpindleBench, status: DriveStatus) -> None:
 
 
 def _resets(b: SpindleBench) -> None:
-    """Acknowledge on the operator's command; only a new speed turns the motor."""
+    """Check that a reset acknowledges the fault, and that only a new speed turns the motor."""
 
     def is_reset() -> bool:
         try:
@@ -305,7 +305,7 @@ def _resets(b: SpindleBench) -> None:
 
 
 def _reconnects(b: SpindleBench) -> None:
-    """Open again until it works; nothing turns before it is told to."""
+    """Reopen until it succeeds; nothing turns before a command."""
     b.driver = b.make()
 
     def connected() -> bool:

@@ -1,4 +1,4 @@
-"""A recorded line as a test: ``check_trace(path)`` says what the driver makes of it today."""
+"""Regression test by a recorded line: ``check_trace(path)`` replays it to the driver."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _PLAYER = "rigapp_drivers.wire.protocol_wire"
 
 @dataclass(frozen=True, slots=True)
 class Replayed:
-    """What a driver made of a recorded line; samples: of a data source, lost ones apart."""
+    """Result of a driver with a recorded line; samples: of a data source, without lost ones."""
 
     identity: Mapping[str, Any]
     readback: Mapping[str, Any]
@@ -29,10 +29,10 @@ class Replayed:
 
 
 def check_trace(path: Path | str) -> Replayed:
-    """Play a recorded line to its driver; raise AssertionError where it makes something else of it.
+    """Replay a recorded line to its driver; raise AssertionError if the results differ.
 
-    The driver must find the same identity and read the same settings back as when the line was
-    recorded, and ask nothing that was not asked then. Samples of a stream must come without a loss.
+    The driver must read back the same identity and settings as in the recording, and send no other
+    requests. Samples of a stream must be complete.
     """
     trace = read_trace(Path(path))
     assert not trace.problem, trace.problem
@@ -51,7 +51,7 @@ def check_trace(path: Path | str) -> Replayed:
 
 
 class _Unknown(logging.Handler):
-    """Keep what the player has no answer for."""
+    """Collect the requests without a recorded reply."""
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
@@ -62,7 +62,7 @@ class _Unknown(logging.Handler):
 
 
 def _notes(trace: WireTrace) -> dict[str, Any]:
-    """Return the first note of each name."""
+    """Merge the notes; return the first value of each key."""
     note: dict[str, Any] = {}
     for record in trace.records:
         if record.kind is RecordKind.NOTE:
@@ -87,7 +87,7 @@ def _replay(
     else:
         readback = dict(driver.configure(request))
     assert _plain(readback) == noted["readback"], f"read back {readback}"
-    # While a stream runs, a driver asks by the clock, at other places than then.
+    # During a stream a driver polls by the clock, so at other positions than in the recording.
     assert not unknown.texts, f"not asked when the line was recorded: {unknown.texts}"
     if isinstance(driver, GuardedSource):
         return _streamed(driver, Replayed(known, readback))
@@ -124,7 +124,7 @@ def _streamed(source: GuardedSource, replayed: Replayed) -> Replayed:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value as JSON gives it back."""
+    """Return a value after a JSON round trip."""
     if isinstance(value, Mapping):
         return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
