@@ -91,7 +91,7 @@ def ask(port: str, drivers: Iterable[DriverInfo], timeout_s: float = QUESTION_S)
             for info in infos:
                 if info.title not in tried:
                     tried.append(info.title)
-                identity = _ask_one(info, line, timeout_s, problems)
+                identity = _probe_one(info, line, timeout_s, problems)
                 if identity is not None:
                     answer = Answer(info.name, info.title, identity, baud_rate, line.low_latency)
                     return Inquiry(port, answer, tuple(tried))
@@ -118,7 +118,7 @@ def _rounds(
     return list(rounds.items())
 
 
-def _ask_one(
+def _probe_one(
     info: DriverInfo, line: SerialPort, timeout_s: float, problems: list[str]
 ) -> Identity | None:
     """Run one driver's probe; a broken port raises DeviceError, a failed probe is recorded."""

@@ -76,10 +76,10 @@ def foreign(convert: Callable[[BaseException], Exception]) -> Iterator[None]:
 def failure_words(error: BaseException) -> str:
     """Return the text of a foreign exception on one line of bounded length."""
     try:
-        said = " ".join(sentence_of_error(error).split())[:MOST_WORDS]
+        text = " ".join(sentence_of_error(error).split())[:MOST_WORDS]
     except Exception:  # a library's exception whose __str__ fails
-        said = ""
-    return say("{}: {}", type(error).__name__, said) if said else type(error).__name__
+        text = ""
+    return say("{}: {}", type(error).__name__, text) if text else type(error).__name__
 
 
 class Edge:
@@ -122,17 +122,17 @@ class Edge:
                 raise TypeError(type(answer).__name__)
         return answer
 
-    def _said(self, call: str, form: Callable[..., Answer]) -> Answer:
+    def _optional(self, call: str, form: Callable[..., Answer]) -> Answer:
         """Return an optional report of a driver, converted by ``form``; empty on failure."""
         with contextlib.suppress(DeviceError), self.calling(DOING[call]):
-            said = getattr(self.driver, call, None)
-            if said is not None:
-                return form(said())
+            report = getattr(self.driver, call, None)
+            if report is not None:
+                return form(report())
         return form()
 
     def counters(self) -> Mapping[str, int]:
         """Return the driver's ``LineCounters``, empty if it has none."""
-        return self._said("counters", dict[str, int])
+        return self._optional("counters", dict[str, int])
 
     def close(self) -> None:
         """Release the device; never raises."""
@@ -207,7 +207,7 @@ class GuardedSource(Edge):
 
     def input_faults(self) -> tuple[InputFault, ...]:
         """Return the faults reported by the device's inputs, empty if not supported."""
-        return self._said("input_faults", tuple[InputFault, ...])
+        return self._optional("input_faults", tuple[InputFault, ...])
 
 
 class GuardedSpindle(Edge):
@@ -247,9 +247,9 @@ class GuardedSlow(Edge):
             return {str(name): float(value) for name, value in self.driver.read().items()}
 
 
-def _same_number(required: str, told: str) -> bool:
+def _same_number(required: str, reported: str) -> bool:
     """Return whether the serial numbers agree; some devices omit leading zeros."""
-    number, other = (one.strip().casefold().lstrip("0") for one in (required, told))
+    number, other = (one.strip().casefold().lstrip("0") for one in (required, reported))
     return not required.strip() or number == other
 
 

@@ -38,17 +38,17 @@ class OpenQuestions:
         self.late = 0
         self._device = device
         self._setting, self._per_s = setting, per_s
-        self._asked_s: deque[float] = deque()
+        self._sent_s: deque[float] = deque()
 
     def requested(self) -> None:
         """Record that a request was sent."""
-        self._asked_s.append(time.monotonic())
+        self._sent_s.append(time.monotonic())
 
     def answered(self) -> None:
         """Record a reply; it belongs to the oldest pending request."""
-        if not self._asked_s:
+        if not self._sent_s:
             return
-        self.measure(time.monotonic() - self._asked_s.popleft())
+        self.measure(time.monotonic() - self._sent_s.popleft())
 
     def measure(self, latency_s: float) -> None:
         """Record the latency of a reply; log it if it exceeds the time-out."""
@@ -65,11 +65,11 @@ class OpenQuestions:
 
         After that they are considered lost.
         """
-        if not self._asked_s:
+        if not self._sent_s:
             return 0.0
-        until_s = self._asked_s[-1] + max(GIVEN_UP * self.timeout_s, 2.0 * self.late_s)
+        until_s = self._sent_s[-1] + max(GIVEN_UP * self.timeout_s, 2.0 * self.late_s)
         if time.monotonic() >= until_s:
-            self._asked_s.clear()
+            self._sent_s.clear()
             return 0.0
         return until_s
 
@@ -107,12 +107,12 @@ class NamedQuestions(OpenQuestions):
         super().__init__(device, timeout_s, setting, per_s)
         self._name: str | bytes = ""
         self._tries_s: list[float] = []
-        self._left_s: dict[str | bytes, float] = {}
+        self._sent_by_name_s: dict[str | bytes, float] = {}
 
     def begin(self, name: str | bytes) -> None:
         """Begin a request."""
         self._name, self._tries_s = name, []
-        self._left_s.pop(name, None)
+        self._sent_by_name_s.pop(name, None)
 
     def requested(self) -> None:
         """Record that the request was sent."""
@@ -121,16 +121,16 @@ class NamedQuestions(OpenQuestions):
     def leave(self, *, answered: bool) -> None:
         """End the request; replies to its tries may still arrive."""
         if not answered:
-            self._left_s[self._name] = self._tries_s[0]
+            self._sent_by_name_s[self._name] = self._tries_s[0]
         elif len(self._tries_s) > 1:
-            self._left_s[self._name] = self._tries_s[-1]
+            self._sent_by_name_s[self._name] = self._tries_s[-1]
 
     def is_answer(self, name: str | bytes) -> bool:
         """Return whether a reply belongs to the request; measure it if it is a late one."""
         if name == self._name:
             return True
-        asked_s = self._left_s.pop(name, None)
-        latency_s = 0.0 if asked_s is None else time.monotonic() - asked_s
+        sent_s = self._sent_by_name_s.pop(name, None)
+        latency_s = 0.0 if sent_s is None else time.monotonic() - sent_s
         if latency_s < GIVEN_UP * self.timeout_s:
             self.measure(latency_s)
         return False

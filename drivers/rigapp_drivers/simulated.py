@@ -78,7 +78,7 @@ class FaultPlan:
                 return default if fault.value is None else fault.value
         return None
 
-    def strike(self, kind: enum.StrEnum, target: int, default: float = 0.0) -> float | None:
+    def link_fault(self, kind: enum.StrEnum, target: int, default: float = 0.0) -> float | None:
         """Return the value of a fault that affects this message, and count it; None if none."""
         for position, fault in enumerate(self._faults):
             hit = fault.kind is kind and fault.start_s <= self.time_s < fault.end_s
@@ -99,10 +99,10 @@ class FaultPlan:
 
     def in_time(self, reply: bytes, slow: enum.StrEnum, target: int, delay_s: float) -> bytes:
         """Return a reply, or nothing if a fault delays it (see ``due``)."""
-        told_s = self.strike(slow, target, delay_s)
-        if told_s is None:
+        delay = self.link_fault(slow, target, delay_s)
+        if delay is None:
             return reply
-        self._late.append((self.time_s + told_s, reply))
+        self._late.append((self.time_s + delay, reply))
         return b""
 
     def due(self) -> bytes:

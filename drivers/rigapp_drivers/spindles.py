@@ -29,7 +29,7 @@ WATCHDOG_PERIOD: Final = 8
 _ROUNDING: Final = 1e-9  # relative; a speed may exceed the maximum by a conversion's rounding
 
 
-def silenced(silence_s: float) -> str:
+def silence_message(silence_s: float) -> str:
     """Return the message of a watchdog stop; silence_s: duration of the host's silence."""
     return say(
         "watchdog: the host was silent for {:.2f} s and the drive has stopped the motor", silence_s
@@ -101,7 +101,7 @@ def refuse_speed(who: Named | Line, speed_rev_per_s: float, request: DriveReques
         )
 
 
-def whole_ramp(
+def ramp_steps(
     who: Named | Line, acceleration_rev_per_s2: float, step_rev_per_s2: float, most: int
 ) -> int:
     """Return an acceleration in the drive's steps, 1 to ``most``; raise SettingRefused."""

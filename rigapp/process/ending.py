@@ -24,7 +24,7 @@ def termination_signals() -> Iterator[list[str]]:
     Must be entered in the main thread. A hang-up that is ignored (nohup) remains ignored. Raises
     KeyboardInterrupt if a signal was received before (``ending_as_interrupt``) and lost.
     """
-    _end_if_heard(signal.getsignal(signal.SIGINT))
+    _raise_if_signalled(signal.getsignal(signal.SIGINT))
     names: list[str] = []
 
     def note(number: int, frame: FrameType | None) -> None:
@@ -66,13 +66,13 @@ def ending_as_interrupt() -> Iterator[None]:
     before = {number: signal.signal(number, interrupting) for number in _signals()}
     try:
         yield
-        _end_if_heard(interrupting)
+        _raise_if_signalled(interrupting)
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
 
 
-def _end_if_heard(handler: object) -> None:
+def _raise_if_signalled(handler: object) -> None:
     if isinstance(handler, Interrupting) and handler.signalled:
         raise KeyboardInterrupt
 
@@ -124,10 +124,10 @@ def shutdown_with_timeout(
     signals: from ``termination_signals``. While ``turning`` two more are required, so that an
     impatient user does not abandon a turning spindle. give_up: called before the process is ended.
     """
-    heard, deadline = len(signals), time.monotonic() + limit_s
+    received, deadline = len(signals), time.monotonic() + limit_s
     closing = Background(work, "closing")
     while not closing.wait(0.05):
-        more = len(signals) - heard
+        more = len(signals) - received
         if time.monotonic() > deadline or more > (2 if turning() else 0):
             give_up()
             end_at_once(say("what was still open was not closed in time."))

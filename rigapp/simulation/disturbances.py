@@ -21,7 +21,7 @@ from rigapp_model.compiled import njit
 
 BRIDGES = BASE.names_of(LOAD_CELL)
 _OTHER = dict(zip(BRIDGES, reversed(BRIDGES), strict=True))
-FAR_OUT = 1e3  # mV/V or V, beyond the range of any input
+OUT_OF_RANGE = 1e3  # mV/V or V, beyond the range of any input
 SWINGS_PER_S = 0.8  # a weight on a hook of 40 cm
 _SPIKES = np.uint64(17)
 
@@ -138,7 +138,7 @@ class Disturbances:
             return signal + np.where(chance < threshold, spikes, 0.0)
         if fault is SignalFault.MOVED_PROBE:
             return signal + value
-        size = np.inf if fault is SignalFault.BROKEN_BRIDGE_WIRE else FAR_OUT
+        size = np.inf if fault is SignalFault.BROKEN_BRIDGE_WIRE else OUT_OF_RANGE
         return np.full_like(signal, np.copysign(size, value))
 
 

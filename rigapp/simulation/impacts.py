@@ -169,7 +169,7 @@ def crank_load(k: Constants, state: Array, contact: Numbers) -> float:
 
 
 @njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, SQUARE, ROW, ROW, F), **UNCOUNTED)
-def crank_sense(
+def crank_friction(
     k: Constants, d: Drive, table: Array, wall_state: Array, state: Array, fraction: float
 ) -> tuple[float, float]:
     """Return (sign of the bearing's friction, 1 if it holds the crank at rest else 0)."""
@@ -264,7 +264,7 @@ def runge_kutta(
 
 
 @njit(types.void(CONSTANTS, WALL, ROW), **UNCOUNTED)
-def foresee(k: Constants, wall: Wall, state: Array) -> None:
+def extend_table(k: Constants, wall: Wall, state: Array) -> None:
     """Extend the wall's table to the force of the beginning impact.
 
     Changing the table under load would change the stored energy.
@@ -313,7 +313,7 @@ def move(
         step = min(dt / steps, left)
         at = end - (end - start) * left / dt
         to = at + (end - start) * step / dt
-        sense, held = crank_sense(k, d, table, wall_state, state, at)
+        sense, held = crank_friction(k, d, table, wall_state, state, at)
         if held == 1.0 and state[SLIDER_SPEED] == 0.0 and state[FOLLOWER_SPEED] == 0.0:
             _, rate, _ = motor(k, d, state[ANGLE], 0.0, state[INTEGRAL], at)
             state[INTEGRAL] += step * rate
@@ -343,7 +343,7 @@ def move(
             reached[SLIDER_SPEED], reached[FOLLOWER_SPEED] = 0.0, 0.0
         state[:] = reached
         if deep < 0.0 <= after:
-            foresee(k, wall, state)
+            extend_table(k, wall, state)
         deep = after
         left -= step
 

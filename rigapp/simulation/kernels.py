@@ -14,7 +14,7 @@ import numpy as np
 from numba import float64, int64, types, uint64
 from numpy.typing import NDArray
 
-from rigapp.simulation.impacts import crank_sense, loose_views, move, rates
+from rigapp.simulation.impacts import crank_friction, loose_views, move, rates
 from rigapp.simulation.layout import (
     ACCELERATION,
     ANGLE,
@@ -259,7 +259,7 @@ CREEP_BEGINS_S = 60.0
 
 
 @njit(types.UniTuple(F, 2)(CONSTANTS, DRIVE, float64[::1], F), forceinline=True, **UNCOUNTED)
-def friction_sense(k: Constants, d: Drive, state: Array, fraction: float) -> tuple[float, float]:
+def dry_friction(k: Constants, d: Drive, state: Array, fraction: float) -> tuple[float, float]:
     """Return (sign of dry friction, 1 if it holds the crank at rest else 0)."""
     if state[SPEED] > 0.0:
         return 1.0, 0.0
@@ -395,13 +395,13 @@ def advance(
         head = (counters[HEAD] + 1) % size
         position = geometry(k, angle, depth)
         if loose:
-            sense, held = crank_sense(k, d, table, wall_state, state, start)
+            sense, held = crank_friction(k, d, table, wall_state, state, start)
             contact = rates(k, d, table, wall_state, state, sense, held, start, slope)
             acceleration = slope[SPEED]
             force = math.hypot(contact[0], contact[1])
             view = loose_views(k, state, contact, seen_depth)
         else:
-            sense, held = friction_sense(k, d, state, start)
+            sense, held = dry_friction(k, d, state, start)
             if held == 1.0:
                 acceleration = 0.0
                 fx, fy, force = resting(k, angle, depth)

@@ -151,7 +151,7 @@ class RigSimulation:
         self._inputs = inputs_of(rig, self._channels) if sampled else {}
         self._wires = {name: device.wire for name, device in self._devices.items()}
         self._counts = rig.spindle.encoder_counts_per_revolution * rig.spindle.gear_ratio
-        self._sense = rig.spindle.direction
+        self._direction = rig.spindle.direction
         self.plant = Plant(
             constants,
             seed=seed,
@@ -171,9 +171,9 @@ class RigSimulation:
         self._now = now_s
         self._device_s = now_s
         self._command = DriveCommand(DriveMode.OFF)
-        self._speed_wanted = 0.0
+        self._target_speed = 0.0
         self._chunk_bytes = 0
-        self._look_again_s = -math.inf
+        self._next_surroundings_s = -math.inf
         self._drive_degC = 0.0
         self._connected = False
 
@@ -203,7 +203,7 @@ class RigSimulation:
         for _ in range(LONGEST_PASS_CHUNKS):
             steps = self._chunk_steps()
             chunk_s = steps * self.plant.step_s
-            if not self._pace.due(chunk_s, taken=self._taken()):
+            if not self._pace.due(chunk_s, taken=self._host_has_read()):
                 break
             self._advance(steps, chunk_s, now_s)
             self._pace.advanced(chunk_s)
@@ -222,7 +222,7 @@ class RigSimulation:
             kind = SignalFault(fault.kind)
             self._disturbances.start(kind, fault.channel, fault.value, fault.rate_per_s)
         else:
-            self._strike(fault)
+            self._inject_into_device(fault)
 
     def end(self, fault: FaultRecord) -> None:
         """End a fault (called by the timetable)."""
@@ -246,7 +246,7 @@ class RigSimulation:
 
     def still(self) -> bool:
         """Return whether the spindle is stationary and not driven."""
-        return abs(self.plant.speed_rad_per_s) < STANDING and self._speed_wanted == 0.0
+        return abs(self.plant.speed_rad_per_s) < STANDING and self._target_speed == 0.0
 
     def wear_to(self, depth_um: float, area_mm2: float | None = None) -> None:
         """Set the bushing's wear to that of an earlier test; raise UnusableInput."""
@@ -273,7 +273,7 @@ class RigSimulation:
             "worn_area_mm2": state.worn_area_m2 * 1e6,
             "bushing_rise_K": state.bushing_rise_K,
             "drive_mode": str(self._command.mode),
-            "setpoint_rpm": self._speed_wanted / TURN * 60.0,
+            "setpoint_rpm": self._target_speed / TURN * 60.0,
             "watchdog_tripped": bool(getattr(self._drive.simulator, "watchdog_tripped", False)),
             "streaming": self._daq.simulator.streaming,
             "sample_rate_Hz": self._daq.simulator.sample_rate_Hz,
@@ -325,40 +325,40 @@ class RigSimulation:
         before, self._command = self._command, command
         jam = self._disturbances.jam_Nm + self.hands.lock_Nm
         supply = self._machine.supply_V
-        start = self._speed_wanted
-        self._speed_wanted = 0.0
+        start = self._target_speed
+        self._target_speed = 0.0
         if command.mode == DriveMode.OFF:
             return Drive(layout.OFF, 0.0, 0.0, 0.0, supply, jam)
-        sense = self._sense
+        direction = self._direction
         if command.mode == DriveMode.DUTY:
-            self._speed_wanted = (
-                sense * command.duty * supply / self._machine.torque_constant_Nm_per_A
+            self._target_speed = (
+                direction * command.duty * supply / self._machine.torque_constant_Nm_per_A
             )
-            return Drive(layout.DUTY, 0.0, 0.0, sense * command.duty, supply, jam)
-        speed = sense * TURN * command.speed_count_per_s / self._counts
+            return Drive(layout.DUTY, 0.0, 0.0, direction * command.duty, supply, jam)
+        speed = direction * TURN * command.speed_count_per_s / self._counts
         if before.mode != DriveMode.VELOCITY:
             start = self.plant.speed_rad_per_s
-        self._speed_wanted = speed
+        self._target_speed = speed
         return Drive(layout.VELOCITY, start, speed, 0.0, supply, jam)
 
     def _observe(self) -> None:
         """Update the drive's encoder, current and supply, and the slow devices' quantities."""
         plant = self.plant
-        if plant.time_s >= self._look_again_s:
-            self._look_again_s = plant.time_s + SLOW_S
-            self._look_around()
-        counts = self._sense * self._counts / TURN
+        if plant.time_s >= self._next_surroundings_s:
+            self._next_surroundings_s = plant.time_s + SLOW_S
+            self._update_surroundings()
+        counts = self._direction * self._counts / TURN
         self._drive.simulator.observe(
             MotorState(
                 position_count=math.floor((plant.angle_rad - self._start_angle) * counts),
                 speed_count_per_s=plant.speed_rad_per_s * counts,
-                current_A=self._sense * plant.motor_current_A,
+                current_A=self._direction * plant.motor_current_A,
                 supply_V=self._machine.supply_V,
                 temperature_C=self._drive_degC,
             )
         )
 
-    def _look_around(self) -> None:
+    def _update_surroundings(self) -> None:
         """Update the slow devices' quantities and the drive's temperature."""
         now = (self._section, self.plant.state().bushing_rise_K, self.plant.warm_s)
         for device in self._slow:
@@ -366,13 +366,13 @@ class RigSimulation:
         self._drive_degC = slow_values(("temperature_C",), *now)["temperature_C"] + DRIVE_WARMER_K
 
     def _chunk_steps(self) -> int:
-        speed = max(abs(self.plant.speed_rad_per_s), abs(self._speed_wanted))
+        speed = max(abs(self.plant.speed_rad_per_s), abs(self._target_speed))
         chunk_s = min(CHUNK_S * max(self._pace.speed, 1.0), LONGEST_CHUNK_S)
         if speed > 0.0:
             chunk_s = min(chunk_s, CHUNK_REVOLUTIONS * TURN / speed)
         return max(1, int(chunk_s / self.plant.step_s))
 
-    def _taken(self) -> bool:
+    def _host_has_read(self) -> bool:
         """Return whether a host is streaming and has read all but the newest chunk."""
         if not (self._pace.fast and self._streamed()):
             return False
@@ -395,10 +395,10 @@ class RigSimulation:
         """Refuse a fault that no device supports, before it is due; raise UnusableInput."""
         check_fault(fault, list(self._wires), self._channels)
         if later and fault.kind not in WIRE_KINDS | SIGNAL_KINDS:
-            self._strike(fault)
+            self._inject_into_device(fault)
             self._devices[fault.device].simulator.clear(fault.kind)
 
-    def _strike(self, fault: FaultRecord) -> None:
+    def _inject_into_device(self, fault: FaultRecord) -> None:
         """Pass a fault to the device's simulator, under the simulator's names."""
         data = {"value": fault.value, "count": fault.count, "target": fault.target}
         arguments = {key: value for key, value in data.items() if value is not None}

@@ -292,14 +292,14 @@ class Motor:
         self._simulator = simulator
         self.command = DriveCommand(DriveMode.OFF)
         self.speed_count_per_s = 0.0
-        self.stood_s = 0.0
+        self.standstill_s = 0.0
         self._position = 0.0
         self._last: float | None = None
 
     def __call__(self, now_s: float) -> bytes:
         """Advance to now and return the bytes sent by the drive."""
         if self.speed_count_per_s:
-            self.stood_s = now_s
+            self.standstill_s = now_s
         elapsed = 0.0 if self._last is None else now_s - self._last
         self._last = now_s
         self.command = command = self._simulator.command(elapsed, now_s)
@@ -369,7 +369,7 @@ class SpindleBench:
     def stops_within(self, seconds: float, since_s: float, what: str) -> None:
         """Wait until the spindle is safe; fail if it takes longer, by the drive's clock."""
         wait_until(self.is_safe, what)
-        took_s = self.motor.stood_s - since_s
+        took_s = self.motor.standstill_s - since_s
         assert took_s <= seconds, f"{what}: {took_s:.2f} s instead of {seconds:g} s"
 
     def close(self) -> None:

@@ -114,7 +114,7 @@ def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
     b.connect()
     b.judge(b.blocks(100))
     b.port.start_fault(fault)
-    blocks, reported, words = _read_until_told(b, fault, caplog)
+    blocks, reported, words = _read_until_reported(b, fault, caplog)
     b.judge(blocks, gaps=fault.unnumbered)
     assert reported in fault.tells, f"{fault.name}: told {reported}: {words}"
     assert re.search(fault.words, words), words
@@ -123,13 +123,13 @@ def test_fault_is_told_in_time_and_no_wrong_sample_is_good(
         if reported == "flag SENSOR_FAULT":
             b.driver.stop()
             b.driver.start()  # until then the flag stays
-        _goes_on(b)
+        _continues(b)
     else:
         b.driver.close()
         _reconnects(b)
 
 
-def _read_until_told(
+def _read_until_reported(
     b: SourceBench, fault: ExpectedFault, log: pytest.LogCaptureFixture
 ) -> tuple[list[Block], str, str]:
     """Return the samples until a report, the kind of the report, and its text."""
@@ -169,7 +169,7 @@ def _words(b: SourceBench) -> str:
     return ", ".join(fault.words for fault in b.driver.input_faults())
 
 
-def _goes_on(b: SourceBench) -> None:
+def _continues(b: SourceBench) -> None:
     """Check that good samples arrive again without a new connection."""
 
     def good() -> bool:

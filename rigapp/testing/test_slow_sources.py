@@ -59,17 +59,17 @@ def test_fault_is_told_in_time_and_no_wrong_value_is_told(
     b = bench(slow, **fault.settings)
     b.connect()
     b.port.start_fault(fault)
-    reported, words = _read_until_told(b, fault)
+    reported, words = _read_until_reported(b, fault)
     assert reported in fault.tells, f"{fault.name}: told {reported}: {words}"
     assert re.search(fault.words, words), words
     b.port.stop_fault(fault)
     if reported != "DeviceLost":
-        wait_until(lambda: _tells_again(b), "the values to come again")
+        wait_until(lambda: _reads_again(b), "the values to come again")
     b.driver.close()
     wait_until(lambda: _reconnects(b), "the device to be found again")
 
 
-def _read_until_told(b: SlowBench, fault: ExpectedFault) -> tuple[str, str]:
+def _read_until_reported(b: SlowBench, fault: ExpectedFault) -> tuple[str, str]:
     deadline = b.port.time_s + (1.0 if fault.tells == ("nothing",) else PATIENCE) * fault.within_s
     while b.port.time_s < deadline:
         try:
@@ -79,7 +79,7 @@ def _read_until_told(b: SlowBench, fault: ExpectedFault) -> tuple[str, str]:
     return "nothing", ""
 
 
-def _tells_again(b: SlowBench) -> bool:
+def _reads_again(b: SlowBench) -> bool:
     try:
         return b.driver.read() == pytest.approx(b.truth)
     except DeviceError:

@@ -232,7 +232,7 @@ def test_fault_is_told_in_time_and_the_spindle_is_safe(
     b.connect()
     b.turn()
     b.port.start_fault(fault)
-    reported, words = _poll_until_told(b, fault, caplog)
+    reported, words = _poll_until_reported(b, fault, caplog)
     assert reported in fault.tells, f"{fault.name}: told {reported}: {words}"
     assert re.search(fault.words, words), words
     if reported not in BORNE:
@@ -249,7 +249,7 @@ def test_fault_is_told_in_time_and_the_spindle_is_safe(
         _reconnects(b)
 
 
-def _poll_until_told(
+def _poll_until_reported(
     b: SpindleBench, fault: ExpectedFault, log: pytest.LogCaptureFixture
 ) -> tuple[str, str]:
     """Poll as the engine does and check the values; return the kind of the report and its text."""

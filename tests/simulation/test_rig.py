@@ -185,7 +185,7 @@ def test_negative_direction_turns_the_other_way(
     make: Callable[..., Bench], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     bench = make()
-    monkeypatch.setattr(bench.rig, "_sense", -1)
+    monkeypatch.setattr(bench.rig, "_direction", -1)
     bench.open("drive")
     bench.run(1.0, feed=b"1.0\n")
     assert bench.rig.report()["revolutions"] < -0.5

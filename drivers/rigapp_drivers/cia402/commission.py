@@ -49,11 +49,11 @@ _ROUNDING: Final = 0.01  # relative error of a speed; less is negligible in any 
 _RAMPS: Final = (0x6083, 0x6084)
 _CONTROL_ONLY: Final = (mapping_entry(0x6040, 0, 16),)
 
-Place = tuple[int, int]
+ObjectKey = tuple[int, int]
 """Index and subindex of an object."""
-SUPERVISION: Final[tuple[Place, ...]] = ((0x1016, 1), (0x6007, 0), (0x1017, 0))
+SUPERVISION: Final[tuple[ObjectKey, ...]] = ((0x1016, 1), (0x6007, 0), (0x1017, 0))
 """Objects by which the drive stops when this computer is silent, and sends its own heartbeat."""
-REQUIRED: Final[Mapping[Place, str]] = {
+REQUIRED: Final[Mapping[ObjectKey, str]] = {
     (0x6040, 0): say("commands"),
     (0x6041, 0): say("its state"),
     (0x6060, 0): say("its mode"),
@@ -69,7 +69,7 @@ PROFILE_QUANTITIES: Final[Mapping[str, tuple[int, float, int]]] = {
     "supply_V": (0x6079, 1e-3, 0),
 }
 """Quantity -> object, unit, and object of the rated value (mA, mNm) for per mille (0: none)."""
-_EPOS_QUANTITIES: Final[Mapping[str, tuple[Place, str]]] = {
+_EPOS_QUANTITIES: Final[Mapping[str, tuple[ObjectKey, str]]] = {
     "current_A": ((0x30D1, 1), "current_unit_A"),
     "supply_V": ((0x2200, 1), "supply_unit_V"),
     "temperature_C": ((0x3201, 1), "temperature_unit_C"),
@@ -96,10 +96,10 @@ class Setup:
     synchronous: bool
     control_pdo: bool
     ramps: Sequence[int]
-    quantities: Mapping[str, tuple[Place, float]]
+    quantities: Mapping[str, tuple[ObjectKey, float]]
     boot_ups: int
     readback: Mapping[str, str | float | int]
-    kept: Mapping[Place, int]
+    kept: Mapping[ObjectKey, int]
 
 
 def check_watchdog(request: DriveRequest) -> None:
@@ -122,7 +122,7 @@ class Commissioning:
         self._epos = epos
         self._readback: Readback = {}
         self._advice: list[str] = []
-        self._kept: dict[Place, int] = {}
+        self._kept: dict[ObjectKey, int] = {}
 
     def run(self, request: DriveRequest) -> Setup:
         """Set the drive up; raise SettingRefused, ReplyTimeout, DeviceLost."""
@@ -302,7 +302,7 @@ class Commissioning:
             )
         return ramps
 
-    def _find_quantities(self) -> dict[str, tuple[Place, float]]:
+    def _find_quantities(self) -> dict[str, tuple[ObjectKey, float]]:
         """Return the objects of the condition values: of the EPOS4, or existing ones of CiA 402."""
         if self._epos:
             return {

@@ -33,7 +33,7 @@ from rigapp_drivers.api import (
 from rigapp_drivers.cia402.commission import (
     SUPERVISION,
     Commissioning,
-    Place,
+    ObjectKey,
     Setup,
     check_watchdog,
 )
@@ -56,10 +56,10 @@ from rigapp_drivers.spindles import (
     QUANTITIES,
     TORQUE_CONSTANT,
     note_survived_silence,
+    ramp_steps,
     refuse_speed,
     settings_lost,
-    silenced,
-    whole_ramp,
+    silence_message,
 )
 
 BIT_RATES: Final = (10_000, 20_000, 50_000, 100_000, 125_000, 250_000, 500_000, 750_000, 1_000_000)
@@ -237,9 +237,9 @@ class Cia402Drive:
         with self._lock:
             node, setup = self._open_node(), self._configured()
             target = self._steps(speed_rev_per_s, setup)
-            ramp = whole_ramp(self, acceleration_rev_per_s2, setup.acceleration_unit, _INT32)
-            self._judge_restart(setup)
-            self._judge_silence(node, setup)
+            ramp = ramp_steps(self, acceleration_rev_per_s2, setup.acceleration_unit, _INT32)
+            self._check_restart(setup)
+            self._check_silence(node, setup)
             control = DriveControl(node, stop_requests)
             state = control.state()
             if target == 0 and state is not State.ENABLED:
@@ -332,13 +332,13 @@ class Cia402Drive:
         """
         with self._lock:
             node, setup = self._open_node(), self._configured()
-            self._judge_restart(setup)
-            self._judge_silence(node, setup)
+            self._check_restart(setup)
+            self._check_silence(node, setup)
             node.beat()
             readings = self._readings
             assert readings is not None
             motion = readings.motion()
-            self._judge_restart(setup)
+            self._check_restart(setup)
             if readings.supervision_is_due or self._left_enabled(motion):
                 self._check_setup(node, SUPERVISION, setup)
             condition = readings.condition()
@@ -395,7 +395,7 @@ class Cia402Drive:
             crc_errors=self._open_node().bad_frames,
         )
 
-    def _judge_silence(self, node: CanNode, setup: Setup) -> None:
+    def _check_silence(self, node: CanNode, setup: Setup) -> None:
         """Record a stop by the drive's heartbeat supervision, and switch the motor off.
 
         The drive's state shows whether it stopped; this computer's clock only triggers the check.
@@ -407,14 +407,14 @@ class Cia402Drive:
             note_survived_silence(self, silence_s, setup.watchdog_s)
             return
         self._target = None
-        self._trip = silenced(silence_s)
+        self._trip = silence_message(silence_s)
         node.write(0x6040, Control.QUICK_STOP)
 
     def _left_enabled(self, motion: AxisMotion) -> bool:
         """Return whether the drive is no longer enabled, for example after an unnoticed restart."""
         return self._target is not None and state_of(motion.status_word) is not State.ENABLED
 
-    def _check_setup(self, node: CanNode, objects: Iterable[Place], setup: Setup) -> None:
+    def _check_setup(self, node: CanNode, objects: Iterable[ObjectKey], setup: Setup) -> None:
         """Read back settings; if one differs, remove the power and raise SettingsLost.
 
         A restart may lose only some of them, and its only message, the boot-up, may be lost.
@@ -439,7 +439,7 @@ class Cia402Drive:
             watchdog_s = (node.read(0x1016, 1) & 0xFFFF) * 1e-3
             raise settings_lost(self, watchdog_s, setup.watchdog_s)
 
-    def _judge_restart(self, setup: Setup) -> None:
+    def _check_restart(self, setup: Setup) -> None:
         if self._monitor.boot_ups != setup.boot_ups:
             self._setup = None
             self._target = None

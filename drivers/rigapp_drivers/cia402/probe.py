@@ -36,7 +36,7 @@ _USUAL_RATES: Final[Mapping[int, str]] = {
 _MOST_BYTES: Final = 65536
 _LISTEN_S: Final = 0.6  # six periods of a usual heartbeat
 _MOST_NODES: Final = 127
-_MOST_ASKED: Final = 8
+_MAX_PROBED: Final = 8
 _ABORT: Final = 0x80
 ABILITIES: Final[Mapping[tuple[int, int], str]] = {
     (0x6502, 0): say("profile velocity mode"),
@@ -68,7 +68,7 @@ def ask(line: BytePort, timeout_s: float) -> Identity | None:
             if nodes:
                 details["bit_rate"] = str(rate)
                 line.write(b"C\rO\r")
-                for node in sorted(nodes)[:_MOST_ASKED]:
+                for node in sorted(nodes)[:_MAX_PROBED]:
                     details |= _abilities(line, node, timeout_s)
                 break
     finally:

@@ -104,7 +104,7 @@ class Dataq:
         for command in plan.commands(end_list=settings["end_scan_list"]):
             self._link.set(command)
         self._line.drain()
-        self._rate = self._told_rate()
+        self._rate = self._reported_rate()
         self._plan = plan
         self._stream = None
         clock = SampleClock.ENCODER if plan.clock is Clock.ENCODER else SampleClock.TIME
@@ -195,7 +195,7 @@ class Dataq:
             ),
         )
 
-    def _told_rate(self) -> str:
+    def _reported_rate(self) -> str:
         """Return the rate reported by the device, empty if its firmware does not report it."""
         try:
             return self._link.rate(tries=1)

@@ -190,20 +190,20 @@ class ScanParser:
             steps, bad = self._check(words[begin:])
             if bad is None:
                 end = max(begin, len(words) - guard)
-                self._hand_on(words[begin:end], steps, runs)
+                self._append_runs(words[begin:end], steps, runs)
                 return end
             safe = begin + max(0, bad - GUARD)
             behind = steps[bad + 1 : bad + 1 + GUARD]
             missing = int(steps[bad])
             aligned = self.steps.exact and 1 < missing < MOST_LOST and bool((behind == 1).all())
             if not aligned or (len(behind) < GUARD and not guard):
-                self._hand_on(words[begin:safe], steps, runs)
+                self._append_runs(words[begin:safe], steps, runs)
                 self.broken = self._reason(missing)
                 return safe
             if len(behind) < GUARD:
-                self._hand_on(words[begin:safe], steps, runs)
+                self._append_runs(words[begin:safe], steps, runs)
                 return safe
-            self._hand_on(words[begin : begin + bad], steps, runs)
+            self._append_runs(words[begin : begin + bad], steps, runs)
             begin += bad + 1
             self._skip(missing)
         return begin
@@ -250,7 +250,7 @@ class ScanParser:
         first = int(wrong.argmax())
         return steps, first if wrong[first] else None
 
-    def _hand_on(self, words: Words, steps: Words, runs: list[Run]) -> None:
+    def _append_runs(self, words: Words, steps: Words, runs: list[Run]) -> None:
         if len(words) == 0:
             return
         run = self._decoded(words, steps[: len(words)])

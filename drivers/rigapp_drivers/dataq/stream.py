@@ -120,8 +120,10 @@ class Stream:
         self._start = start_line(plan.clock)
         self._parser = ScanParser(plan.layout, plan.steps, echoes_of(self._start))
         self._rows = len(plan.channels)
-        knows_sense = plan.direction_line is not None or plan.index_line is not None
-        self._sense = CountDirection(plan.direction_line, plan.index_line) if knows_sense else None
+        has_lines = plan.direction_line is not None or plan.index_line is not None
+        self._direction = (
+            CountDirection(plan.direction_line, plan.index_line) if has_lines else None
+        )
         self._wanted = max(1, round(2.0 * plan.layout.words * plan.sample_rate_Hz * pace.block_s))
         self._lock = threading.Lock()
         self._running = False
@@ -285,7 +287,9 @@ class Stream:
         """Stop, flush and start again; raise ProtocolError after too many restarts."""
         self.tally.restarts += 1
         self._bad_restarts += 1
-        self._say(say("data were lost or added on the line; the stream was restarted ‹{}›.", why))
+        self._log_sentence(
+            say("data were lost or added on the line; the stream was restarted ‹{}›.", why)
+        )
         if self._bad_restarts > _MOST_RESTARTS:
             with contextlib.suppress(DeviceError):
                 self._halt()
@@ -313,11 +317,13 @@ class Stream:
         if lost:
             self.tally.gaps += 1
             self.tally.lost_scans += lost
-            self._say(say("{} scans are missing before sample {}.", lost, self._next_sample + lost))
+            self._log_sentence(
+                say("{} scans are missing before sample {}.", lost, self._next_sample + lost)
+            )
         self._watch_stuck(run)
-        if self._sense is not None:
+        if self._direction is not None:
             lines = run.values[self._plan.layout.analog].astype(np.int64)
-            run.values[-1] = self._sense.counts(lines, run.values[-1].astype(np.int64))
+            run.values[-1] = self._direction.counts(lines, run.values[-1].astype(np.int64))
         block = Block(
             device=self._link.port.device,
             sequence=self._sequence,
@@ -381,8 +387,8 @@ class Stream:
                 )
                 fault = InputFault(InputFaultKind.STUCK, (name,), words, time.monotonic_ns())
                 self.tally.faults += (fault,)
-                self._say(say("{}.", words))
+                self._log_sentence(say("{}.", words))
 
-    def _say(self, sentence: str) -> None:
+    def _log_sentence(self, sentence: str) -> None:
         self.tally.sentences.append(sentence)
         _log.warning("%s on %s: %s", self._link.port.device, self._link.port.port, sentence)

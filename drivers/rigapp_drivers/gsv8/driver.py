@@ -313,13 +313,14 @@ class Gsv8:
         if not self._line.is_open:
             return
         # One try each: a device that hangs must not delay the end of a test.
-        goodbye = []
+        last_commands = []
         if self._layout is not None and self._layout.checksum:
-            goodbye.append((Command.GET_INTERFACE, u8(1)))  # other programs expect no checksum
+            # Other programs expect no checksum.
+            last_commands.append((Command.GET_INTERFACE, u8(1)))
         if self._streaming:
-            goodbye.append((Command.STOP_TRANSMISSION, b""))
+            last_commands.append((Command.STOP_TRANSMISSION, b""))
         self._streaming = False
-        for command, parameters in (*goodbye, (Command.RELEASE_INTERFACE, b"")):
+        for command, parameters in (*last_commands, (Command.RELEASE_INTERFACE, b"")):
             with contextlib.suppress(DeviceError):
                 self._link.exchange(command, parameters, tries=1)
         self._line.close()

@@ -33,8 +33,8 @@ _LONG_FORM = 15
 
 _FIRST_BULK = 64  # frames checked together after damage
 _MAXIMUM_BULK = 1 << 15
-_FIRST_LOOK = 64  # bytes searched first after damage
-_MAXIMUM_LOOK = 1 << 16
+_FIRST_WINDOW = 64  # bytes searched first after damage
+_MAXIMUM_WINDOW = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -309,11 +309,11 @@ class StreamParser:
         sequences = values.shape[1] // len(rows)
         if sequences > 1:
             quality = np.repeat(quality, sequences)
-        lost = self._step_found(quality, rows.shape[1], sequences)
+        lost = self._resync(quality, rows.shape[1], sequences)
         self.consecutive_foreign = 0
         return Run(values, quality, lost)
 
-    def _step_found(self, quality: NDArray[np.uint8], length: int, sequences: int) -> int:
+    def _resync(self, quality: NDArray[np.uint8], length: int, sequences: int) -> int:
         """Flag the first sample after damaged bytes; return the number of lost samples."""
         if self._in_step and not self._damaged:
             return 0
@@ -373,15 +373,15 @@ class StreamParser:
 
         The search window grows, so that the cost is proportional to the skipped bytes.
         """
-        look = _FIRST_LOOK
+        window = _FIRST_WINDOW
         while position < len(octets):
-            starts = position + np.flatnonzero(octets[position : position + look] == PREFIX)
+            starts = position + np.flatnonzero(octets[position : position + window] == PREFIX)
             if starts.size:
                 starts = starts[self._may_start(octets, starts)]
                 if starts.size:
                     return int(starts[0])
-            position += look
-            look = min(4 * look, _MAXIMUM_LOOK)
+            position += window
+            window = min(4 * window, _MAXIMUM_WINDOW)
         return len(octets)
 
     def _may_start(self, octets: NDArray[np.uint8], starts: NDArray[np.int64]) -> NDArray[np.bool_]:

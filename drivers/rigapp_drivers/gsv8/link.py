@@ -297,9 +297,9 @@ class Link:
             old = self._runs.popleft().run
             self._kept -= old.values.shape[1]
             lost = old.values.shape[1] + old.lost_before
-            self._hand_on(lost)
+            self._add_lost(lost)
 
-    def _hand_on(self, lost: int) -> None:
+    def _add_lost(self, lost: int) -> None:
         """Add lost samples to the oldest buffered run."""
         oldest = self._runs.popleft()
         run = Run(oldest.run.values, oldest.run.quality, oldest.run.lost_before + lost)

@@ -151,8 +151,10 @@ class StreamWatch:
         self._polls = 0
         self._misses = 0
         self.faults: tuple[InputFault, ...] = ()
-        if known is not None and known.told(0).kind is InputFaultKind.SENSOR_BROKEN:
-            before = replace(known.told(0), words=f"{known.words} (reported before the start)")
+        if known is not None and known.as_input_fault(0).kind is InputFaultKind.SENSOR_BROKEN:
+            before = replace(
+                known.as_input_fault(0), words=f"{known.words} (reported before the start)"
+            )
             self.faults = (before,)
             _log.warning("%s: %s", link.port.device, before.words)
 
@@ -165,7 +167,7 @@ class StreamWatch:
         """Send the next poll when it is due, and process the response to the last."""
         now = time.monotonic()
         if self._pending is not None:
-            self._look(self._pending, now)
+            self._check_pending(self._pending, now)
         if self._pending is None and now >= self._next_s:
             question = self._queue[0] if self._queue else self._regular()
             command, parameters, reply = question
@@ -178,7 +180,7 @@ class StreamWatch:
     def _regular(self) -> Question:
         return _FAULT if self._polls % _FAULT_EVERY == _FAULT_EVERY - 1 else _LOST_DATA
 
-    def _look(self, pending: Pending, now_s: float) -> None:
+    def _check_pending(self, pending: Pending, now_s: float) -> None:
         if pending.answered.is_set():
             self._pending = None
             self._misses = 0
@@ -213,7 +215,7 @@ class StreamWatch:
     def _take_fault(self, fault: ValueFault | None) -> None:
         if fault is not None and fault not in (self.last_fault, self._known):
             self.last_fault = fault
-            report = fault.told(time.monotonic_ns())
+            report = fault.as_input_fault(time.monotonic_ns())
             self.faults = (*self.faults, report)[-_MOST_FAULTS:]
             _log.warning("%s: %s", self._link.port.device, fault.words)
             if report.kind is InputFaultKind.SENSOR_BROKEN:

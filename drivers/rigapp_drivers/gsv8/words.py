@@ -99,7 +99,7 @@ class ValueFault:
             return tuple(n + 1 for n in range(8) if self.flags >> 2 * n & 3)
         return ()
 
-    def told(self, host_time_ns: int) -> InputFault:
+    def as_input_fault(self, host_time_ns: int) -> InputFault:
         """Return the fault as an ``InputFault``."""
         kind = _KINDS.get(self.kind, InputFaultKind.OTHER)
         inputs = tuple(f"analog_{channel}" for channel in self.channels)

@@ -110,7 +110,7 @@ class ModbusSensor:
         self._line.open()
         self._link.share(self._line.bus)
         try:
-            self._ask(_OPEN_S)
+            self._request(_OPEN_S)
         except BaseException as error:
             self._line.close()
             kind = _ON_OPENING.get(type(error))
@@ -151,7 +151,7 @@ class ModbusSensor:
 
         Raises ReplyTimeout, ProtocolError, DeviceFault or DeviceLost.
         """
-        return self._ask(self._timeout_s)
+        return self._request(self._timeout_s)
 
     def close(self) -> None:
         """Release the port; never raises; safe to call twice."""
@@ -167,7 +167,7 @@ class ModbusSensor:
             "busy": link.busy,
         }
 
-    def _ask(self, timeout_s: float) -> dict[str, float]:
+    def _request(self, timeout_s: float) -> dict[str, float]:
         deadline_s = time.monotonic() + timeout_s
         values: dict[str, float] = {}
         for question in self._questions:

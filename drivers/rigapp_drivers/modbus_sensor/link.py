@@ -201,11 +201,13 @@ class ModbusLink:
                 break
             self.retries += bool(attempt)
             waits = self._open.first_wait() if attempt == 0 and tries > 1 else 1.0
-            reply = self._ask(function, address, count, left_s, waits)
+            reply = self._request(function, address, count, left_s, waits)
             while reply is not None and reply.busy and time.monotonic() < deadline_s:
                 self.busy += 1
                 time.sleep(_BUSY_PAUSE_S)
-                reply = self._ask(function, address, count, deadline_s - time.monotonic(), waits)
+                reply = self._request(
+                    function, address, count, deadline_s - time.monotonic(), waits
+                )
             if reply is None:
                 continue
             if reply.exception:
@@ -243,7 +245,7 @@ class ModbusLink:
             self.reply_timeout_s,
         )
 
-    def _ask(
+    def _request(
         self, function: int, address: int, count: int, left_s: float, waits: float
     ) -> ModbusReply | None:
         """Send one request and wait ``waits`` time-outs; None without a reply."""
@@ -267,7 +269,7 @@ class ModbusLink:
             left_s = deadline - time.monotonic()
             data += self.port.read_some(_MOST_BYTES, max(left_s, 0.0))
             reply = find_reply(data, request, function, count, tcp=self._tcp)
-            if reply is None and self._is_spoilt(data, function, count):
+            if reply is None and self._is_damaged(data, function, count):
                 reply = wrong_reply(data, request, function, count)
             if left_s <= 0.0:
                 break
@@ -287,7 +289,7 @@ class ModbusLink:
                 self._named.is_answer(data[:2])
             data = data[6 + int.from_bytes(data[4:6], "big") :]
 
-    def _is_spoilt(self, data: bytes, function: int, count: int) -> bool:
+    def _is_damaged(self, data: bytes, function: int, count: int) -> bool:
         """Return whether the reply is complete but damaged, so that waiting is useless."""
         own = data[:3] == bytes((self.device, function, 2 * count))
         return not self._tcp and own and len(data) == 5 + 2 * count

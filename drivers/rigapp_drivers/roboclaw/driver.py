@@ -51,12 +51,12 @@ from rigapp_drivers.spindles import (
     QUANTITIES,
     TORQUE_CONSTANT,
     note_survived_silence,
+    ramp_steps,
     refuse_request,
     refuse_speed,
     settings_lost,
-    silenced,
+    silence_message,
     torque_Nm,
-    whole_ramp,
 )
 from rigapp_drivers.transport import SerialPort, byte_counters
 
@@ -90,7 +90,7 @@ SETTINGS: Final[Mapping[str, SettingSpec]] = {
 
 _MAXIMUM_SPEED: Final = 2**31 - 1
 _MAXIMUM_ACCELERATION: Final = 2**32 - 1
-_LOOKS: Final = 3  # readings over a few ms, in which a starting ramp's duty grows above 0
+_PWM_READINGS: Final = 3  # readings over a few ms, in which a starting ramp's duty grows above 0
 
 
 class RoboClaw:
@@ -187,14 +187,14 @@ class RoboClaw:
             link, setup = self._link(), self._configured()
             speed = self._counts_per_s(speed_rev_per_s, setup)
             step = 1.0 / setup.request.counts_per_crank_revolution
-            acceleration = whole_ramp(self, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION)
+            acceleration = ramp_steps(self, acceleration_rev_per_s2, step, _MAXIMUM_ACCELERATION)
             command = Command.RAMP_SPEED_M1 + self._motor - 1
-            self._judge_silence(link, setup)
+            self._check_silence(link, setup)
             if speed and self._silence_s:
                 raise DeviceFault.at(
                     self,
                     "{}; reset the fault before the next start.",
-                    silenced(self._silence_s),
+                    silence_message(self._silence_s),
                 )
             if speed and not self._target:
                 self._check_watchdog(link, setup)
@@ -327,7 +327,7 @@ class RoboClaw:
         """
         with self._lock:
             link, setup = self._link(), self._configured()
-            self._judge_silence(link, setup)
+            self._check_silence(link, setup)
             reader = self._reader
             assert reader is not None
             readings = reader.read()
@@ -358,7 +358,7 @@ class RoboClaw:
         words = describe_status(read.state, link.generation.status_bits)
         faults = words.faults
         if self._silence_s:
-            faults += (silenced(self._silence_s),)
+            faults += (silence_message(self._silence_s),)
         target = self._target or 0
         setpoint = target if read.setpoint is None or self._target is None else read.setpoint
         scale = request.direction / request.counts_per_crank_revolution
@@ -378,7 +378,7 @@ class RoboClaw:
             crc_errors=link.crc_errors,
         )
 
-    def _judge_silence(self, link: Link, setup: Setup) -> None:
+    def _check_silence(self, link: Link, setup: Setup) -> None:
         """Record a watchdog stop, and switch the motor off.
 
         The drive's state shows whether it stopped; this computer's clock only triggers the check.
@@ -394,7 +394,7 @@ class RoboClaw:
 
     def _still_drives(self, link: Link, tries: int | None = None) -> bool:
         """Return whether the motor has power; a ramp that has just begun may still show duty 0."""
-        return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_LOOKS))
+        return any(link.read(Command.PWM, tries)[self._motor - 1] for _ in range(_PWM_READINGS))
 
     def _check_watchdog(self, link: Link, setup: Setup) -> None:
         """Read the serial time-out; if it differs, remove the power and raise SettingsLost."""

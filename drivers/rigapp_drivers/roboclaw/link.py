@@ -106,7 +106,7 @@ class Link:
         """
 
         def exchange(time_outs: float) -> tuple[int, ...] | Rejected:
-            raw = self._ask(command, time_outs)
+            raw = self._request(command, time_outs)
             return parse_values(self.address, command, raw, self.generation)
 
         if tries is None and self.standing:
@@ -117,7 +117,7 @@ class Link:
         """Return the firmware text, the first read from a drive; errors as ``read``."""
 
         def exchange(time_outs: float) -> str | Rejected:
-            return parse_version(self.address, self._ask(Command.VERSION, time_outs))
+            return parse_version(self.address, self._request(Command.VERSION, time_outs))
 
         return self._repeat(Command.VERSION, exchange, STANDING_TRIES)
 
@@ -156,7 +156,7 @@ class Link:
                 self.retries += 1
                 self.wait_for_quiet()
                 if in_effect is not None and in_effect():
-                    self._tell_repeated(_UNACKNOWLEDGED)
+                    self._log_repeated(_UNACKNOWLEDGED)
                     return
             self._send(packet, stop_requests)
             answer = self._acknowledgement(self._reply_timeout(len(packet) + 1), time_outs)
@@ -164,7 +164,7 @@ class Link:
                 self._outwait(first_s)
             if answer == ACKNOWLEDGE and (not read_back or in_effect is None or in_effect()):
                 if failures:
-                    self._tell_repeated(_UNACKNOWLEDGED)
+                    self._log_repeated(_UNACKNOWLEDGED)
                 return
             if answer == ACKNOWLEDGE:
                 failures.append(say("acknowledged, and not in effect"))
@@ -237,7 +237,7 @@ class Link:
                 if "" in failures:
                     self._outwait(first_s)
                 for reason in sorted(because):
-                    self._tell_repeated(reason)
+                    self._log_repeated(reason)
                 return result
             quiet, cut = result.sentence.startswith("0 "), result.kind == "short"
             said = say("a truncated answer ‹{}›", result.sentence) if cut else result.sentence
@@ -248,7 +248,7 @@ class Link:
                 break
         raise self._failure(command, failures)
 
-    def _tell_repeated(self, reason: str) -> None:
+    def _log_repeated(self, reason: str) -> None:
         _log.warning("%s on %s: a packet was repeated: %s", self.device, self.port, reason)
 
     def _failure(self, command: int, failures: list[str]) -> ProtocolError | ReplyTimeout:
@@ -284,7 +284,7 @@ class Link:
             self._serial.write(packet)
         self.last_sent_ns = time.monotonic_ns()
 
-    def _ask(self, command: int, time_outs: float) -> bytes:
+    def _request(self, command: int, time_outs: float) -> bytes:
         self._send(read_packet(self.address, command))
         raw = b""
         time_out_s = self._reply_timeout(2 + LONGEST_REPLY)

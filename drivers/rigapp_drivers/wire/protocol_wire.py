@@ -96,7 +96,7 @@ class Player:
 
     def read(self, now_s: float) -> bytes:
         """Return the bytes that are due."""
-        self._go_on(now_s)
+        self._skip_requests(now_s)
         parts = []
         while self._coming and self._coming[0][0] <= now_s:
             parts.append(self._coming.popleft()[1])
@@ -104,7 +104,7 @@ class Player:
 
     def ended(self, now_s: float) -> bool:
         """Return whether a recorded stream is over."""
-        self._go_on(now_s)
+        self._skip_requests(now_s)
         return 0 <= self._last_stream <= self._turn and not self._coming
 
     def _find(self, data: bytes) -> int | None:
@@ -116,11 +116,11 @@ class Player:
                 return index
         return None
 
-    def _begin(self, place: int, now_s: float) -> None:
-        self._turn, self._since_s = place, now_s
-        self._coming.extend((now_s + at, data) for at, data in self._turns[place].received)
+    def _begin(self, index: int, now_s: float) -> None:
+        self._turn, self._since_s = index, now_s
+        self._coming.extend((now_s + at, data) for at, data in self._turns[index].received)
 
-    def _go_on(self, now_s: float) -> None:
+    def _skip_requests(self, now_s: float) -> None:
         """Continue a stream past recorded requests that are not repeated."""
         while not self._coming and self._turn < self._last_stream:
             now, then = self._turns[self._turn], self._turns[self._turn + 1]
@@ -131,7 +131,7 @@ class Player:
 
 
 SCHEME: Final = "wire://"
-_LOOK_S: Final = 0.001
+_POLL_S: Final = 0.001
 _ENDED_S: Final = 0.5  # by then the driver has read the last bytes
 
 
@@ -181,7 +181,7 @@ class Serial(SerialBase):  # type: ignore[misc]
             if missing and deadline is not None and time.monotonic() >= deadline:
                 break
             if missing:
-                time.sleep(_LOOK_S)
+                time.sleep(_POLL_S)
         return b"".join(parts)
 
     def write(self, data: bytes) -> int:

@@ -119,17 +119,17 @@ def _records(file: BinaryIO, done: list[WireRecord]) -> Iterator[WireRecord]:
             raise _Damaged(_cut(done))
         mark, length, time_ns = _HEAD.unpack(head)
         if length > MOST_BYTES:
-            raise _Damaged(_spoiled(done))
+            raise _Damaged(_bad_checksum(done))
         data, sum_ = file.read(length), file.read(_CRC.size)
         if len(data) < length or len(sum_) < _CRC.size:
             raise _Damaged(_cut(done))
         if zlib.crc32(data, zlib.crc32(head)) != _CRC.unpack(sum_)[0]:
-            raise _Damaged(_spoiled(done))
+            raise _Damaged(_bad_checksum(done))
         try:
             record = WireRecord(RecordKind(mark), time_ns, data)
             assert record.kind is not RecordKind.NOTE or record.note is not None
         except ValueError as error:
-            raise _Damaged(_spoiled(done)) from error
+            raise _Damaged(_bad_checksum(done)) from error
         yield record
 
 
@@ -137,5 +137,5 @@ def _cut(done: list[WireRecord]) -> str:
     return say("the recording is cut short after record {}; what is before it is used.", len(done))
 
 
-def _spoiled(done: list[WireRecord]) -> str:
+def _bad_checksum(done: list[WireRecord]) -> str:
     return say("the recording is damaged at record {}; what is before it is used.", len(done) + 1)

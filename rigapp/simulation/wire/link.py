@@ -139,7 +139,7 @@ class SimulatedWire:
         """Queue a delivery and send as much as possible; return False if older were dropped."""
         if not data or WireFault.HANG in self._faults or not self.endpoint.connected():
             return True
-        data = self._spoilt(data)
+        data = self._damaged(data)
         if not data:
             return True
         due = now_s + self._faults.get(WireFault.SLOW, 0.0)
@@ -189,7 +189,7 @@ class SimulatedWire:
         self._fresh += count
         self._fresh_s = now_s
 
-    def _spoilt(self, data: bytes) -> bytes:
+    def _damaged(self, data: bytes) -> bytes:
         truncated = self._faults.get(WireFault.TRUNCATED)
         if truncated is not None:
             cut = min(max(1, int(truncated)), len(data))

@@ -72,7 +72,7 @@ class Cia402Simulator:
         time_s = self._plan.tick(now_s)
         frames, answers = self._adapter.receive(data)
         for frame in frames:
-            if self._hears:
+            if self._receives:
                 self.node.take(frame, time_s)
         return answers + self._advance(time_s)
 
@@ -95,15 +95,15 @@ class Cia402Simulator:
         return self.node.watchdog_tripped
 
     @property
-    def _hears(self) -> bool:
+    def _receives(self) -> bool:
         return self._adapter.bit_rate in (None, self._bit_rate)
 
     def _advance(self, time_s: float) -> bytes:
         self.node.tick(time_s)
         lines = b"".join(encode_frame(frame) for frame in self.node.collect(time_s))
-        if self._plan.strike(Cia402Fault.GARBLED_LINE, 0) is not None:
+        if self._plan.link_fault(Cia402Fault.GARBLED_LINE, 0) is not None:
             lines = _GARBLED + lines
-        return lines if self._adapter.is_open and self._hears else b""
+        return lines if self._adapter.is_open and self._receives else b""
 
 
 __all__ = ["Cia402Fault", "Cia402Simulator"]

@@ -48,7 +48,7 @@ class SdoServer:
         self._objects = objects
         self._rest = b""
         self._toggle = 0
-        self._place = (0, 0)
+        self._object = (0, 0)
 
     def answer(
         self, request: bytes, forced_abort: int | None = None, *, obey: bool = True
@@ -65,17 +65,17 @@ class SdoServer:
             return None
         if command != _UPLOAD_SEGMENT:
             index, subindex = struct.unpack_from("<HB", request, 1)
-            self._place = (index, subindex)
+            self._object = (index, subindex)
         try:
             if forced_abort is not None:
                 raise AbortTransfer(forced_abort)
             return self._obey(command, request) if obey else self._confirmed()
         except AbortTransfer as abort:
             self._rest = b""
-            return struct.pack("<BHBI", 0x80, *self._place, abort.code)
+            return struct.pack("<BHBI", 0x80, *self._object, abort.code)
 
     def _confirmed(self) -> bytes:
-        return struct.pack("<BHBI", 0x60, *self._place, 0)
+        return struct.pack("<BHBI", 0x60, *self._object, 0)
 
     def _obey(self, command: int, request: bytes) -> bytes:
         if command == DOWNLOAD:
@@ -90,14 +90,14 @@ class SdoServer:
         expedited, sized = request[0] & 2, request[0] & 1
         if not expedited:
             raise AbortTransfer(Abort.COMMAND)
-        index, subindex = self._place
+        index, subindex = self._object
         entry = self._objects.find(index, subindex)
         length = 4 - (request[0] >> 2 & 3) if sized else entry.length
         self._objects.write(index, subindex, request[4 : 4 + length])
         return self._confirmed()
 
     def _upload(self) -> bytes:
-        index, subindex = self._place
+        index, subindex = self._object
         data = self._objects.read(index, subindex)
         if len(data) <= 4:
             head = 0x43 | (4 - len(data)) << 2
@@ -197,7 +197,7 @@ class Cia402Node:
         self._hook()
         self.state = NodeState.PRE_OPERATIONAL
         self._last_heartbeat_s: float | None = None
-        self._heard: dict[int, float] = {}
+        self._heartbeats_s: dict[int, float] = {}
         self.watchdog_tripped = False
         if self._observed:
             self.axis.observe(self._motor)
@@ -267,25 +267,25 @@ class Cia402Node:
             if self.state is NodeState.OPERATIONAL:
                 self._send_pdos(self.pdos.on_sync(time_s), time_s)
         elif HEARTBEAT_BASE < frame.identifier <= HEARTBEAT_BASE + 0x7F:
-            self._heard[frame.identifier - HEARTBEAT_BASE] = time_s
+            self._heartbeats_s[frame.identifier - HEARTBEAT_BASE] = time_s
         elif self.state is NodeState.OPERATIONAL:
             self._take_pdo(frame, time_s)
         self._send_changes(time_s)
 
     def _answer_sdo(self, request: bytes, time_s: float) -> None:
         index = int.from_bytes(request[1:3], "little")
-        abort = self._plan.strike(Cia402Fault.SDO_ABORT, index, default=Abort.STATE)
+        abort = self._plan.link_fault(Cia402Fault.SDO_ABORT, index, default=Abort.STATE)
         ignored = request[:1] and request[0] >> 5 == DOWNLOAD and self._ignores(index)
         reply = self.sdo.answer(request, None if abort is None else int(abort), obey=not ignored)
-        if reply is None or self._plan.strike(Cia402Fault.NO_SDO_REPLY, index) is not None:
+        if reply is None or self._plan.link_fault(Cia402Fault.NO_SDO_REPLY, index) is not None:
             return
         if request[0] >> 5 == DOWNLOAD:
             slow = Cia402Fault.SLOW_COMMAND
-            time_s += self._plan.strike(slow, index, _SLOW_COMMAND_S) or 0.0
+            time_s += self._plan.link_fault(slow, index, _SLOW_COMMAND_S) or 0.0
         self._queue.append((time_s, Frame(SDO_REPLY_BASE + self._options.node_id, reply)))
 
     def _ignores(self, index: int) -> bool:
-        return self._plan.strike(Cia402Fault.IGNORED_COMMAND, index) is not None
+        return self._plan.link_fault(Cia402Fault.IGNORED_COMMAND, index) is not None
 
     def _take_pdo(self, frame: Frame, time_s: float) -> None:
         if self._ignores(0x6040):  # the object that the driver maps into its PDO
@@ -330,8 +330,8 @@ class Cia402Node:
         if rpm is not None:
             self.axis.turn_by_itself(rpm)
         self.axis.set_torque_off(self._plan.on(Cia402Fault.TORQUE_OFF))
-        self._judge_bus(time_s)
-        self._judge_hosts(time_s)
+        self._update_bus(time_s)
+        self._check_hosts(time_s)
         self._beat(time_s)
         self._send_changes(time_s)
 
@@ -340,19 +340,19 @@ class Cia402Node:
         off = any(self._plan.on(kind) for kind in kinds)
         return off or self._plan.time_s < self._silent_until_s
 
-    def _judge_bus(self, time_s: float) -> None:
+    def _update_bus(self, time_s: float) -> None:
         off = self._plan.on(Cia402Fault.BUS_OFF)
         if self._was_off_bus and not off:
             self.emergency(BUS_OFF, time_s)
         self._was_off_bus = off
 
-    def _judge_hosts(self, time_s: float) -> None:
+    def _check_hosts(self, time_s: float) -> None:
         for subindex in (1, 2):
             value = self.objects.number(0x1016, subindex)
             node_id, limit_s = value >> 16 & 0x7F, (value & 0xFFFF) * 1e-3
-            heard_s = self._heard.get(node_id)
-            if limit_s and heard_s is not None and time_s - heard_s > limit_s:
-                del self._heard[node_id]
+            last_s = self._heartbeats_s.get(node_id)
+            if limit_s and last_s is not None and time_s - last_s > limit_s:
+                del self._heartbeats_s[node_id]
                 self._host_lost(time_s)
 
     def _host_lost(self, time_s: float) -> None:
@@ -422,7 +422,7 @@ class Cia402Node:
             raise AbortTransfer(Abort.VALUE)
 
     def _consumer_written(self, value: int) -> None:
-        self._heard.pop(value >> 16 & 0x7F, None)
+        self._heartbeats_s.pop(value >> 16 & 0x7F, None)
 
     # --- plant -----------------------------------------------------------------------------------
 

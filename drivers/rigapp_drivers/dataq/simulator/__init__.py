@@ -189,7 +189,7 @@ class DataqSimulator:
         """Process bytes from the host and return the replies."""
         self._tick(now_s)
         state = self._state
-        if self._mute():
+        if self._is_silent():
             state.text = b""
             return b""
         *lines, rest = (state.text + data.replace(b"\n", b"")).split(b"\r")
@@ -200,7 +200,7 @@ class DataqSimulator:
     def sample(self, signals: RigSignals, now_s: float) -> bytes:
         """Return the bytes sent for these samples (b"" when not streaming)."""
         self._tick(now_s)
-        replies = b"" if self._mute() else self._plan.due()
+        replies = b"" if self._is_silent() else self._plan.due()
         if signals.shaft_revolutions.size == 0:
             return replies
         state = self._state
@@ -210,7 +210,7 @@ class DataqSimulator:
             self.sample_rate_Hz,
             by_encoder=state.by_encoder and state.scanning,
         )
-        if not state.scanning or self._mute():
+        if not state.scanning or self._is_silent():
             return replies
         words = words_of(readings, state.scan_list, self.model, self._rng)
         state.packet += self._damaged(words.astype("<u2"))
@@ -239,7 +239,7 @@ class DataqSimulator:
             self._plan.forget_late()
             self._silent_until_s = time_s + boot_s
 
-    def _mute(self) -> bool:
+    def _is_silent(self) -> bool:
         booting = self._plan.time_s < self._silent_until_s
         return self._state.hung or booting or self._plan.on(DataqFault.HANG)
 
@@ -254,13 +254,13 @@ class DataqSimulator:
         answer = self._obey(words[0], words[1:])
         if answer is None:
             return b""
-        strike, target = self._plan.strike, COMMANDS.index(words[0])
+        link_fault, target = self._plan.link_fault, COMMANDS.index(words[0])
         reply = (text.decode("ascii").rstrip() + answer).encode("ascii") + b"\r"
         if words[0] == "start" and not self._start_echo:
             return b""
-        if strike(DataqFault.NO_REPLY, target) is not None:
+        if link_fault(DataqFault.NO_REPLY, target) is not None:
             return before
-        if strike(DataqFault.WRONG_ECHO, target) is not None:
+        if link_fault(DataqFault.WRONG_ECHO, target) is not None:
             reply = b"?" + reply
         reply = before + reply + bytes(self._echo_nuls)
         return self._plan.in_time(reply, DataqFault.SLOW_REPLY, target, 0.3)

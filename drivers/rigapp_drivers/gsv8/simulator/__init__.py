@@ -210,17 +210,17 @@ class Gsv8Simulator:
 
     def _answer(self, requested: RequestRead) -> bytes:
         self._measured.convert_again()
-        command, strike = requested.command, self._plan.strike
-        if strike(Gsv8Fault.LOST_COMMAND, command) is not None:
+        command, link_fault = requested.command, self._plan.link_fault
+        if link_fault(Gsv8Fault.LOST_COMMAND, command) is not None:
             return b""
-        refused = strike(Gsv8Fault.REFUSED, command, WRITE_ACCESS_ELSEWHERE)
+        refused = link_fault(Gsv8Fault.REFUSED, command, WRITE_ACCESS_ELSEWHERE)
         status = requested.status if refused is None else int(refused)
         if command == Command.GET_VALUE and not (status or requested.parameters):
             reply = b"" if self._device.state.transmitting else self._measured.one_frame()
         else:
             response = self._response(command, requested.parameters, status)
             reply = encode_response(response, checksum=requested.checksum)
-        if strike(Gsv8Fault.NO_REPLY, command) is not None:
+        if link_fault(Gsv8Fault.NO_REPLY, command) is not None:
             return b""
         return self._plan.in_time(reply, Gsv8Fault.SLOW_REPLY, command, 0.3)
 

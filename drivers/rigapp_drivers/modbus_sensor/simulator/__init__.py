@@ -101,18 +101,18 @@ class ModbusSensorSimulator:
         address, function, first, count = struct.unpack(">BBHH", frame[:6])
         if address != self._address:
             return b""
-        strike = self._plan.strike
-        if strike(ModbusSensorFault.NO_REPLY, function) is not None:
+        link_fault = self._plan.link_fault
+        if link_fault(ModbusSensorFault.NO_REPLY, function) is not None:
             return b""
-        code = strike(ModbusSensorFault.EXCEPTION, function, _FAILURE)
-        other = strike(ModbusSensorFault.OTHER_ADDRESS, function, 2)
+        code = link_fault(ModbusSensorFault.EXCEPTION, function, _FAILURE)
+        other = link_fault(ModbusSensorFault.OTHER_ADDRESS, function, 2)
         body = self._exception(function, int(code)) if code else self._read(function, first, count)
         reply = bytes((address if other is None else int(other),)) + body
         checksum = crc16(reply)
-        if strike(ModbusSensorFault.WRONG_CRC, function) is not None:
+        if link_fault(ModbusSensorFault.WRONG_CRC, function) is not None:
             checksum ^= 0x0100
         reply += struct.pack("<H", checksum)
-        cut = strike(ModbusSensorFault.CUT_REPLY, function, 3)
+        cut = link_fault(ModbusSensorFault.CUT_REPLY, function, 3)
         reply = reply if cut is None else reply[: int(cut)]
         return self._plan.in_time(reply, ModbusSensorFault.SLOW_REPLY, function, 1.0)
 

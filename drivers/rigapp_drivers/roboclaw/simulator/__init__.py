@@ -99,7 +99,7 @@ class RoboClawSimulator:
 
     def receive(self, data: bytes, now_s: float) -> bytes:
         """Process bytes from the host and return the replies."""
-        time_s = self._judge(now_s)
+        time_s = self._update_conditions(now_s)
         if time_s < self._silent_until_s:
             return b""
         if data:
@@ -114,7 +114,7 @@ class RoboClawSimulator:
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
         """Advance the ramps, check watchdog and faults, return the motor command."""
-        self._judge(now_s)
+        self._update_conditions(now_s)
         for axis in self._registers.axes:
             axis.advance(elapsed_s)
         return self._registers.axes[self._registers.motor - 1].command()
@@ -125,7 +125,7 @@ class RoboClawSimulator:
 
     def emit(self, now_s: float) -> bytes:
         """Return the delayed replies that are due; a RoboClaw sends nothing unsolicited."""
-        self._judge(now_s)
+        self._update_conditions(now_s)
         return self._plan.due()
 
     # --- for tests and demonstrations ------------------------------------------------------------
@@ -137,7 +137,7 @@ class RoboClawSimulator:
 
     # --- time ------------------------------------------------------------------------------------
 
-    def _judge(self, now_s: float) -> float:
+    def _update_conditions(self, now_s: float) -> float:
         """Process resets, watchdog and fault conditions; return the time since the start."""
         time_s = self._plan.tick(now_s)
         silence_s = self._plan.take(RoboClawFault.RESET, _BOOT_S)
@@ -158,7 +158,7 @@ class RoboClawSimulator:
         timeout_s = self.serial_timeout_s
         if timeout_s and time_s - self._last_byte_s > timeout_s and self._registers.halt():
             self.watchdog_tripped = True
-        self._registers.judge()
+        self._registers.switch_off_on_faults()
         return time_s
 
     # --- packets ---------------------------------------------------------------------------------
@@ -181,7 +181,7 @@ class RoboClawSimulator:
 
     def _answer(self, packet: bytes) -> bytes:
         command = packet[1]
-        if self._plan.strike(RoboClawFault.LOST_COMMAND, command) is not None:
+        if self._plan.link_fault(RoboClawFault.LOST_COMMAND, command) is not None:
             return b""
         layout = write_format(command, self._registers.generation)
         if layout is None:
@@ -189,10 +189,12 @@ class RoboClawSimulator:
         elif crc16(packet[:-2]) != int.from_bytes(packet[-2:], "big"):
             return b""
         else:
-            if self._plan.strike(RoboClawFault.IGNORED_COMMAND, command) is None:
+            if self._plan.link_fault(RoboClawFault.IGNORED_COMMAND, command) is None:
                 self._registers.write(command, struct.unpack(layout, packet[2:-2]))
-            self._registers.judge()
-            wrong = self._plan.strike(RoboClawFault.WRONG_ACKNOWLEDGE, command, _WRONG_ACKNOWLEDGE)
+            self._registers.switch_off_on_faults()
+            wrong = self._plan.link_fault(
+                RoboClawFault.WRONG_ACKNOWLEDGE, command, _WRONG_ACKNOWLEDGE
+            )
             reply = ACKNOWLEDGE if wrong is None else bytes((int(wrong),))
             slow = RoboClawFault.SLOW_COMMAND
             reply = self._plan.in_time(reply, slow, command, _SLOW_COMMAND_S)
@@ -205,14 +207,14 @@ class RoboClawSimulator:
         else:
             data = self._registers.read(command)
         crc = crc16(packet + data)
-        if self._plan.strike(RoboClawFault.WRONG_CRC, command) is not None:
+        if self._plan.link_fault(RoboClawFault.WRONG_CRC, command) is not None:
             crc ^= 0x0001
         return data + crc.to_bytes(2, "big")
 
     def _send(self, reply: bytes, command: int) -> bytes:
-        if self._plan.strike(RoboClawFault.NO_REPLY, command) is not None:
+        if self._plan.link_fault(RoboClawFault.NO_REPLY, command) is not None:
             return b""
-        if self._plan.strike(RoboClawFault.DUPLICATED_REPLY, command) is not None:
+        if self._plan.link_fault(RoboClawFault.DUPLICATED_REPLY, command) is not None:
             reply += reply
         return self._plan.in_time(reply, RoboClawFault.SLOW_REPLY, command, _SLOW_S)
 

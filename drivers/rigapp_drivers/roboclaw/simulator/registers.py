@@ -161,7 +161,7 @@ class Registers:
         """Execute a write."""
         self._writers[command](values)
 
-    def judge(self) -> None:
+    def switch_off_on_faults(self) -> None:
         """Switch the motors off on an emergency stop or a fault condition."""
         modes = self.generation.pin_modes
         pressed = self._plan.on(RoboClawFault.EMERGENCY_STOP)
@@ -299,7 +299,7 @@ class Registers:
 
         def reset_stop(_: Numbers) -> None:
             if self.memory.stop_lock != EmergencyStopLock.HARDWARE:
-                self._stop_latched = False  # judge() latches it again while the input is active
+                self._stop_latched = False  # latched again while the input is active
 
         def set_stop_lock(values: Numbers) -> None:
             (self.memory.stop_lock,) = values
