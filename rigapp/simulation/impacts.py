@@ -49,10 +49,10 @@ from rigapp.simulation.layout import (
 from rigapp.simulation.mechanics import CONSTANTS, DRIVE, F, Numbers, bore, motor, resting
 from rigapp.simulation.wall import (
     APPROACH,
+    HIGHEST_FORCE,
     LEVELS,
     ROW,
     SQUARE,
-    TOP,
     WALL,
     Wall,
     looked_up,
@@ -102,8 +102,10 @@ def pressed(table: Array, wall_state: Array, depth: float) -> tuple[float, float
         return force, energy
     for level in range(LEVELS):
         low, high = table[level, APPROACH], table[level + 1, APPROACH]
-        bottom = wall_state[TOP] * (level / LEVELS) ** 2
-        stiffness = wall_state[TOP] * (2.0 * level + 1.0) / (LEVELS * LEVELS * (high - low))
+        bottom = wall_state[HIGHEST_FORCE] * (level / LEVELS) ** 2
+        stiffness = (
+            wall_state[HIGHEST_FORCE] * (2.0 * level + 1.0) / (LEVELS * LEVELS * (high - low))
+        )
         # Extrapolate linearly beyond the highest force of the table.
         deeper = depth - low if level == LEVELS - 1 else min(depth, high) - low
         force = bottom + stiffness * deeper
@@ -275,7 +277,7 @@ def extend_table(k: Constants, wall: Wall, state: Array) -> None:
         _, stored = pressed(wall.table, wall.state, wall.table[LEVELS, APPROACH])
         if energy > stored:
             # The stored energy grows at least with the force to the power 3/2.
-            renew(wall, bore(k), wall.state[TOP] * (energy / stored) ** (2.0 / 3.0))
+            renew(wall, bore(k), wall.state[HIGHEST_FORCE] * (energy / stored) ** (2.0 / 3.0))
 
 
 @njit(types.void(CONSTANTS, WALL, ROW, F, F, types.boolean), **UNCOUNTED)
@@ -306,7 +308,7 @@ def move(
     slope[:] = 0.0
     contact = touch(k, table, wall_state, state, 1.0)
     rise = table[LEVELS, APPROACH] - table[LEVELS - 1, APPROACH]
-    stiffest = wall_state[TOP] * (2.0 * LEVELS - 1.0) / (LEVELS * LEVELS * rise)
+    stiffest = wall_state[HIGHEST_FORCE] * (2.0 * LEVELS - 1.0) / (LEVELS * LEVELS * rise)
     steps = max(1.0, math.ceil(dt * math.sqrt(stiffest / contact[11]) / SWING))
     left, deep = dt, contact[5]
     while left > 1e-9 * dt:

@@ -71,10 +71,10 @@ from rigapp.simulation.mechanics import (
 )
 from rigapp.simulation.wall import (
     APPROACH,
-    LASTS,
+    HIGHEST_FORCE,
     ROW,
     SQUARE,
-    TOP,
+    VALID_SLIP,
     WALL,
     Wall,
     looked_up,
@@ -381,7 +381,7 @@ def advance(
     cooling = 1.0 - dt / k.heating_time_s
     slope = np.zeros(STATES)
     for step in range(steps):
-        if wall_state[LASTS] <= 0.0 or state[FORCE] > wall_state[TOP]:
+        if wall_state[VALID_SLIP] <= 0.0 or state[FORCE] > wall_state[HIGHEST_FORCE]:
             renew(wall, bore(k), state[FORCE])
         start = step / steps
         loose = k.loose == 1.0 and k.bench == 0.0

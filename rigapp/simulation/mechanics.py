@@ -178,12 +178,12 @@ def motor(
         fault = math.sin(2.0 * angle) + 0.2 * math.sin(WANDER * angle)
         measured = speed * (1.0 + k.ripple * fault)
         error = d.speed_start + (d.speed_end - d.speed_start) * fraction - measured
-        wanted = k.proportional * error + integral
-        winding = (wanted > highest and error > 0.0) or (wanted < lowest and error < 0.0)
+        demand = k.proportional * error + integral
+        winding = (demand > highest and error > 0.0) or (demand < lowest and error < 0.0)
         rate = 0.0 if winding else k.integral * error
     else:
-        wanted = k.torque_constant * (d.duty * d.supply - emf) / k.resistance
-    torque = max(lowest, min(highest, wanted))
+        demand = k.torque_constant * (d.duty * d.supply - emf) / k.resistance
+    torque = max(lowest, min(highest, demand))
     return torque, rate, torque / k.torque_constant
 
 

@@ -40,12 +40,12 @@ REACH_RAD = math.radians(88.0)
 WAVES = 4.0
 """Highest wave number as a multiple of the highest that the nodes resolve."""
 LEVELS = 6
-ROOM = 1.2
+FORCE_MARGIN = 1.2
 """Ratio of the highest tabulated force to the highest one so far."""
-SHARE = 0.01
+WEAR_SHARE = 0.01
 """A table is valid until the depth has grown by this share of depth and approach."""
 
-TOP, LASTS = range(2)
+HIGHEST_FORCE, VALID_SLIP = range(2)
 """State of a table: its highest force (N), slip (m) for which it remains valid."""
 PEAK, APPROACH, AREA, SLID = range(4)
 """Columns of a table, one row per force: middle pressure (Pa), approach (m), area worn per slip and
@@ -56,7 +56,7 @@ class Wall(NamedTuple):
     """A wall: constant nodes and compliance, and its accumulated wear.
 
     angle, weight (NODES,): rad; compliance (NODES, NODES): m/Pa; worn (NODES,): radial depth, m;
-    table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): of each force, Pa; state: see TOP.
+    table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): of each force, Pa; state: as below.
     """
 
     angle: Array
@@ -244,7 +244,7 @@ def tabulate(w: Wall, k: Bore, slip: float) -> None:
     count = len(w.angle)
     at, factors, solved = np.empty((4, count)), np.empty((count, count)), np.empty((5, count))
     shape(w, k, at)
-    top = w.state[TOP] / k.width
+    top = w.state[HIGHEST_FORCE] / k.width
     widest = eliminate(w, k, slip, top, at, factors, solved)
     for level in range(1, LEVELS + 1):
         force = top * (level / LEVELS) ** 2
@@ -275,20 +275,20 @@ def renew(w: Wall, k: Bore, force: float) -> None:
         lean = math.sqrt(1.0 - (away * math.sin(w.angle[i]) / k.pin_radius) ** 2)
         for level in range(1, LEVELS + 1):
             w.worn[i] += k.wear_coefficient * w.table[level, SLID] * w.pressure[level, i] / lean
-    if force > w.state[TOP]:
-        w.state[TOP] = ROOM * force
+    if force > w.state[HIGHEST_FORCE]:
+        w.state[HIGHEST_FORCE] = FORCE_MARGIN * force
         tabulate(w, k, 0.0)
     fastest = k.wear_coefficient * w.table[LEVELS, PEAK]
-    w.state[LASTS] = math.inf
+    w.state[VALID_SLIP] = math.inf
     if fastest > 0.0:
-        w.state[LASTS] = SHARE * (w.worn[0] + w.table[LEVELS, APPROACH]) / fastest
-        tabulate(w, k, w.state[LASTS])
+        w.state[VALID_SLIP] = WEAR_SHARE * (w.worn[0] + w.table[LEVELS, APPROACH]) / fastest
+        tabulate(w, k, w.state[VALID_SLIP])
 
 
 @njit(types.Tuple((int64, F))(ROW, F), forceinline=True, **UNCOUNTED)
 def row_of(state: Array, force: float) -> tuple[int, float]:
     """Return the row of the table below a force (N) and the fraction of the way to the next."""
-    share = LEVELS**2 * max(force, 0.0) / state[TOP]
+    share = LEVELS**2 * max(force, 0.0) / state[HIGHEST_FORCE]
     level = max(0, min(int(math.sqrt(share)), LEVELS - 1))
     return level, (share - level * level) / (2.0 * level + 1.0)
 
@@ -307,7 +307,7 @@ def worn(
     """Return (growth of the depth in the middle, growth of the worn area), m and m^2, for a slip.
 
     wear_coefficient: m^2/N; force: N; slip: m. The profile follows in ``renew``, which is due when
-    state[LASTS] is not above 0.
+    state[VALID_SLIP] is not above 0.
     """
     if force <= 0.0 or wear_coefficient == 0.0:
         return 0.0, 0.0
@@ -315,7 +315,7 @@ def worn(
     low, high = (1.0 - part) * slip, part * slip
     table[level, SLID] += low
     table[level + 1, SLID] += high
-    state[LASTS] -= slip
+    state[VALID_SLIP] -= slip
     deeper = low * table[level, PEAK] + high * table[level + 1, PEAK]
     area = low * table[level, AREA] + high * table[level + 1, AREA]
     return wear_coefficient * deeper, wear_coefficient * area
@@ -333,7 +333,7 @@ def worn_wall(wall: Wall, k: Bore, force: float, depth: float) -> tuple[Wall, fl
     area = 0.0
     while wall.worn[0] < depth * (1.0 - ROUNDING):
         left = (depth - float(wall.worn[0])) / ANY_COEFFICIENT
-        slip = min(left / looked_up(table, state, force, PEAK), float(state[LASTS]))
+        slip = min(left / looked_up(table, state, force, PEAK), float(state[VALID_SLIP]))
         area += worn(table, state, ANY_COEFFICIENT, force, slip)[1]
         renew(wall, some, force)
     renew(wall, k, force)

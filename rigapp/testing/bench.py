@@ -346,8 +346,8 @@ class SpindleBench:
 
         def turns() -> bool:
             self.driver.status()  # feeds the watchdog
-            wanted = speed * self.counts_per_crank_revolution
-            return abs(self.motor.speed_count_per_s - wanted) < 1.0
+            target = speed * self.counts_per_crank_revolution
+            return abs(self.motor.speed_count_per_s - target) < 1.0
 
         wait_until(turns, f"the motor to turn at {speed} rev/s")
 

@@ -420,8 +420,8 @@ class Cia402Drive:
         A restart may lose only some of them, and its only message, the boot-up, may be lost.
         """
         for index, subindex in objects:
-            wanted = setup.kept.get((index, subindex))  # None: the drive has no such object
-            if wanted is None or (readback := node.read(index, subindex)) == wanted:
+            expected = setup.kept.get((index, subindex))  # None: the drive has no such object
+            if expected is None or (readback := node.read(index, subindex)) == expected:
                 continue
             _log.warning(
                 "%s on %s: object %04X:%d reads %d after %d was set",
@@ -430,7 +430,7 @@ class Cia402Drive:
                 index,
                 subindex,
                 readback,
-                wanted,
+                expected,
             )
             self._setup = None
             self._target = None

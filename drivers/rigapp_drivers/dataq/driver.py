@@ -218,8 +218,8 @@ class Dataq:
         known = identity_of(str(self._model), firmware, serial, self.port)
         return replace(known, details=self._advice())
 
-    def _check_model(self, wanted: int) -> None:
-        if self._model == wanted:
+    def _check_model(self, required: int) -> None:
+        if self._model == required:
             return
         advice = (
             say("set model = {} in the rig file", self._model)
@@ -227,7 +227,7 @@ class Dataq:
             else say("check the port in the rig file")
         )
         raise WrongDevice.at(
-            self, "a DI-{} answers, and the rig file says DI-{}; {}.", self._model, wanted, advice
+            self, "a DI-{} answers, and the rig file says DI-{}; {}.", self._model, required, advice
         )
 
     def _advice(self) -> dict[str, str]:

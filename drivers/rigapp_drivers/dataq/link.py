@@ -40,14 +40,14 @@ class Link:
 
     def set(self, command: bytes) -> None:
         """Send a command and wait for its echo; raise ReplyTimeout or ProtocolError."""
-        wanted = _words(command)
+        echo = _words(command)
         reply = self._exchange(command)
-        if reply.strip() != wanted:
+        if reply.strip() != echo:
             raise ProtocolError.at(
                 self.port,
                 "{} was answered with {} instead of its echo; check that no other"
                 " program uses the device, and switch it off and on.",
-                repr(wanted),
+                repr(echo),
                 repr(reply[:_SHOWN]),
             )
         time.sleep(self.pause_s)
@@ -95,10 +95,10 @@ class Link:
 
     def _exchange(self, command: bytes, tries: int = TRIES) -> str:
         """Send a command and return the reply; skip lines of other commands."""
-        wanted = _words(command)
+        echo = _words(command)
         stray, rest = "", b""
         self._requested.timeout_s = self.reply_timeout_s
-        self._requested.begin(wanted)
+        self._requested.begin(echo)
         for attempt in range(tries):
             self.retries += bool(attempt)
             waits = self._requested.first_wait() if attempt == 0 and tries > 1 else 1.0
@@ -118,7 +118,7 @@ class Link:
         self._requested.leave(answered=False)
         if self._requested.late_s:
             words = self._requested.words()
-            raise ReplyTimeout.at(self.port, "no answer in time; {} ‹{}›.", words, wanted)
+            raise ReplyTimeout.at(self.port, "no answer in time; {} ‹{}›.", words, echo)
         if stray:
             return stray
         raise ReplyTimeout.at(
@@ -127,7 +127,7 @@ class Link:
             " blinks yellow (CDC mode) ‹{}›.",
             self.reply_timeout_s,
             tries,
-            wanted,
+            echo,
         )
 
 

@@ -244,20 +244,20 @@ def _pulses_per_revolution(request: DataRequest) -> float:
     return float(pulses)
 
 
-def _rate(wanted_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
+def _rate(requested_Hz: float, clock: Clock, entries: int) -> tuple[Rate, float]:
     if clock is Clock.ENCODER:
         rate = encoder_rate(entries)
-        if not 0.0 < wanted_Hz <= rate.sample_rate_Hz:
+        if not 0.0 < requested_Hz <= rate.sample_rate_Hz:
             raise InvalidRequest(
                 "sample_rate_Hz = {:g} is the nominal rate of the encoder's pulses;"
                 " with {} entries in the scan list it can be {:g} at most.",
-                wanted_Hz,
+                requested_Hz,
                 entries,
                 rate.sample_rate_Hz,
             )
-        return rate, float(wanted_Hz)
+        return rate, float(requested_Hz)
     try:
-        rate = rate_for(wanted_Hz, entries)
+        rate = rate_for(requested_Hz, entries)
     except NoSuchRate as error:
         raise InvalidRequest(sentence_of_error(error)) from error
     return rate, rate.sample_rate_Hz

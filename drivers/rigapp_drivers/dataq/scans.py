@@ -294,11 +294,13 @@ class ScanParser:
 
     def _reason(self, step: int) -> str:
         signed = step - COUNTER_SPAN if step > MOST_LOST else step
-        wanted = "1" if self.steps.exact else say("{} to {}", self.steps.lowest, self.steps.highest)
+        expected = (
+            "1" if self.steps.exact else say("{} to {}", self.steps.lowest, self.steps.highest)
+        )
         return say(
             "the counter stepped by {} from one scan to the next, where {} (and a"
             " change of {} at most) is possible",
             signed,
-            wanted,
+            expected,
             self.steps.change,
         )

@@ -124,7 +124,9 @@ class Stream:
         self._direction = (
             CountDirection(plan.direction_line, plan.index_line) if has_lines else None
         )
-        self._wanted = max(1, round(2.0 * plan.layout.words * plan.sample_rate_Hz * pace.block_s))
+        self._block_bytes = max(
+            1, round(2.0 * plan.layout.words * plan.sample_rate_Hz * pace.block_s)
+        )
         self._lock = threading.Lock()
         self._running = False
         self._chunks: list[bytes] = []
@@ -229,7 +231,7 @@ class Stream:
             self._silent_s += min(now - began, wait_s + _LATENESS_S)
             if self._silent_s >= self._patience_s():
                 self._silence(self._silent_s)
-        full = self._waiting >= self._wanted
+        full = self._waiting >= self._block_bytes
         if self._waiting and (full or now - self._oldest_s >= self._pace.block_s):
             self._parse()
             if self._parser.broken is not None:

@@ -121,13 +121,13 @@ class Commissioner:
             (bool(plan.data_checksum), p.CHECKSUM_FIRMWARE, "data_checksum"),
             (plan.high_speed, p.HIGH_SPEED_FIRMWARE, "high_speed_frames"),
         )
-        for wanted, least, what in needs:
-            if wanted and self._firmware < least:
+        for required, minimum, what in needs:
+            if required and self._firmware < minimum:
                 raise SettingRefused.at(
                     self._link.port,
                     "{} needs firmware {} or newer, this device has {}; let the maker update it.",
                     what,
-                    p.version_words(least),
+                    p.version_words(minimum),
                     p.version_words(self._firmware),
                 )
 
@@ -145,9 +145,9 @@ class Commissioner:
         return bare, self._open_session(bare)
 
     def _open_session(self, plan: Plan) -> p.InterfaceReply:
-        wanted = bool(plan.data_checksum)
-        reply = self._registers.open_session(high_speed=plan.high_speed, data_checksum=wanted)
-        if reply.data_checksum != wanted:
+        required = bool(plan.data_checksum)
+        reply = self._registers.open_session(high_speed=plan.high_speed, data_checksum=required)
+        if reply.data_checksum != required:
             raise SettingRefused.at(
                 self._link.port, "the device did not take the setting data_checksum."
             )
@@ -185,35 +185,35 @@ class Commissioner:
 
     # --- the settings ---------------------------------------------------------------------------
 
-    def _ensure(self, setting: Setting, wanted: Any) -> None:
+    def _ensure(self, setting: Setting, required: Any) -> None:
         """Write a setting if it differs, and verify it."""
         before = self._registers.get(setting)
-        if _same(before, wanted):
+        if _same(before, required):
             return
         try:
-            self._set_once(setting, wanted)
+            self._set_once(setting, required)
         except SettingRefused as error:
-            sentence = say("{} cannot be {}: {}", setting.words, _shown(wanted), error.sentence)
+            sentence = say("{} cannot be {}: {}", setting.words, _shown(required), error.sentence)
             raise SettingRefused.at(self._link.port, sentence) from error
         self.writes += 1
-        _log.info("%s: %s %s -> %s", self._name, setting.words, _shown(before), _shown(wanted))
+        _log.info("%s: %s %s -> %s", self._name, setting.words, _shown(before), _shown(required))
         after = self._registers.get(setting)
-        if not _same(after, wanted):
+        if not _same(after, required):
             raise SettingRefused.at(
                 self._link.port,
                 "{} is {} after {} was written; check the device with the maker's program.",
                 setting.words,
                 _shown(after),
-                _shown(wanted),
+                _shown(required),
             )
 
-    def _set_once(self, setting: Setting, wanted: Any) -> None:
+    def _set_once(self, setting: Setting, required: Any) -> None:
         """Write a setting; repeat only if the readback shows the old value."""
         try:
-            self._registers.set(setting, wanted)
+            self._registers.set(setting, required)
         except ReplyTimeout:
-            if not _same(self._registers.get(setting), wanted):
-                self._registers.set(setting, wanted)
+            if not _same(self._registers.get(setting), required):
+                self._registers.set(setting, required)
 
     def _set_modes(self, plan: Plan) -> None:
         mode = self._registers.get(r.MODE) & ~_FALSIFYING_MODES & ~p.MODE_FILTER_AUTOMATIC
@@ -235,11 +235,11 @@ class Commissioner:
                     self._link.port, "counter_{}: this device has no encoder input.", counter + 1
                 )
             self._ensure(r.counter_home(counter), plan.counter_home)
-            wanted = plan.counters[counter].encode()
+            required = plan.counters[counter].encode()
         else:
             # An unused counter would still be an object of the frame.
-            wanted = flags & ~(p.COUNTER_ON | p.SPEED_ON | p.COUNTER_PRESENT)
-        self._ensure(r.counter_mode(counter, mask=~p.COUNTER_PRESENT), wanted)
+            required = flags & ~(p.COUNTER_ON | p.SPEED_ON | p.COUNTER_PRESENT)
+        self._ensure(r.counter_mode(counter, mask=~p.COUNTER_PRESENT), required)
 
     def _set_format(self, plan: Plan) -> None:
         self._ensure(r.OBJECTS, len(plan.objects))
@@ -307,19 +307,19 @@ class Commissioner:
 
     def _check_readback(self, plan: Plan) -> None:
         facts = self.readback
-        wanted: Readback = {
+        required: Readback = {
             "sample_rate_Hz": plan.sample_rate_Hz,
             "objects": len(plan.objects),
             "data_type": plan.data_type.name.lower(),
         }
         for channel, kind in plan.analog.items():
-            wanted[f"analog_{channel}.input_type"] = kind.words
-            wanted[f"analog_{channel}.user_scale"] = p.NOMINAL_RANGE[kind]
-            wanted[f"analog_{channel}.user_offset"] = 0.0
+            required[f"analog_{channel}.input_type"] = kind.words
+            required[f"analog_{channel}.user_scale"] = p.NOMINAL_RANGE[kind]
+            required[f"analog_{channel}.user_offset"] = 0.0
         for counter, mode in plan.counters.items():
             flags = mode.encode() | p.COUNTER_PRESENT
-            wanted[f"counter_{counter + 1}.mode"] = f"0x{flags:04X}"
-        for key, value in wanted.items():
+            required[f"counter_{counter + 1}.mode"] = f"0x{flags:04X}"
+        for key, value in required.items():
             if not _same(facts[key], value):
                 raise SettingRefused.at(
                     self._link.port,

@@ -172,10 +172,10 @@ def _objects(
     object_map: Sequence[Any],
     analog: Mapping[int, InputType],
     counters: Mapping[int, CounterMode],
-    wanted: tuple[str, ...],
+    requested: tuple[str, ...],
 ) -> tuple[str, ...]:
     if object_map:
-        return _mapped(object_map, wanted)
+        return _mapped(object_map, requested)
     # A frame contains the analog channels from 1, and at least two objects.
     fewest = 1 if counters else 2
     last = max([*analog, fewest])
@@ -185,16 +185,16 @@ def _objects(
     )
 
 
-def _mapped(object_map: Sequence[Any], wanted: tuple[str, ...]) -> tuple[str, ...]:
+def _mapped(object_map: Sequence[Any], requested: tuple[str, ...]) -> tuple[str, ...]:
     names = tuple(str(name) for name in object_map)
     for name in names:
         parse_input(name)
     if len(set(names)) != len(names):
         raise InvalidRequest("object_map = {} names an input twice.", list(names))
-    missing = [name for name in wanted if name not in names]
+    missing = [name for name in requested if name not in names]
     if missing:
         raise InvalidRequest("object_map = {} lacks {}.", list(names), joined(", ", missing))
-    idle = [name for name in names if name.startswith("counter") and name not in wanted]
+    idle = [name for name in names if name.startswith("counter") and name not in requested]
     if idle:
         raise InvalidRequest(
             "object_map names {}, which is not in use; take it out.", joined(", ", idle)

@@ -33,7 +33,7 @@ class BlockMaker:
         self._device = device
         self._rate = sample_rate_Hz
         self._rows = list(rows)
-        self._wanted = max(1, round(sample_rate_Hz * block_s))
+        self._block_samples = max(1, round(sample_rate_Hz * block_s))
         self._block_ns = round(block_s * 1e9)
         self._runs: deque[TimedRun] = deque()
         self._held = 0
@@ -57,7 +57,7 @@ class BlockMaker:
 
     def ready(self, now_ns: int) -> bool:
         """Return whether a Block is full, or its oldest samples have waited long enough."""
-        if self._held >= self._wanted:
+        if self._held >= self._block_samples:
             return True
         return bool(self._runs) and now_ns - self._runs[0].host_time_ns >= self._block_ns
 

@@ -125,12 +125,12 @@ class ModbusSensor:
         """Check that registers exist for these quantities; return the register of each."""
         with refusing(self):
             check(SlowRequest(request.quantities, request.timeout_s, self._settings))
-        wanted = [
+        requested = [
             register
             for register in registers_of(self._settings)
             if register.quantity in request.quantities
         ]
-        self._questions = questions(wanted)
+        self._questions = questions(requested)
         self._timeout_s = request.timeout_s
         return {
             "address": self._settings["address"],
@@ -142,7 +142,7 @@ class ModbusSensor:
                     register.type,
                     register.scale,
                 )
-                for register in wanted
+                for register in requested
             },
         }
 
