@@ -177,7 +177,7 @@ class Edge:
 
 
 class GuardedSource(Edge):
-    """A ``DataSource`` behind the edge, with ``InputSupervision``."""
+    """Guarded ``DataSource``, with ``InputSupervision``."""
 
     def configure(self, request: DataRequest) -> StreamSetup:
         """Write the settings that differ, read all back; raise DeviceError."""
@@ -211,7 +211,7 @@ class GuardedSource(Edge):
 
 
 class GuardedSpindle(Edge):
-    """A ``Spindle`` behind the edge."""
+    """Guarded ``Spindle``."""
 
     def configure(self, request: DriveRequest) -> Readback:
         """Set the watchdog and all settings that differ; raise DeviceError."""
@@ -235,7 +235,7 @@ class GuardedSpindle(Edge):
 
 
 class GuardedSlow(Edge):
-    """A ``SlowSource`` behind the edge."""
+    """Guarded ``SlowSource``."""
 
     def configure(self, request: SlowRequest) -> Readback:
         """Check that the device has these quantities; raise DeviceError."""
@@ -265,7 +265,7 @@ GUARDS: Mapping[DriverKind, Callable[[Any, str, str, str], Guarded]] = {
 def make_driver(
     info: DriverInfo, name: str, port: str, settings: Mapping[str, Any], serial_number: str = ""
 ) -> Guarded:
-    """Make a driver for a named device on a port, behind the edge; raise DeviceError.
+    """Create a guarded driver for a named device on a port; raise DeviceError.
 
     serial_number: checked when the device is opened; empty: any.
     """

@@ -34,7 +34,7 @@ class SimulatedDataSource(Protocol):
     """Simulate a data acquisition device at the byte level: bytes and time in, bytes out."""
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause."""
+        """Process bytes from the host and return the replies."""
 
     @property
     def sample_rate_Hz(self) -> float:
@@ -99,7 +99,7 @@ class SimulatedDrive(Protocol):
     """
 
     def receive(self, data: bytes, now_s: float) -> bytes:
-        """Take bytes from the host and return the replies that they cause."""
+        """Process bytes from the host and return the replies."""
 
     def command(self, elapsed_s: float, now_s: float) -> DriveCommand:
         """Advance ramps by elapsed_s, check the watchdog at now_s, return the motor command."""

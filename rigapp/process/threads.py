@@ -76,7 +76,7 @@ class Worker:
         return not self._thread.is_alive()
 
     def beat(self) -> None:
-        """Give a heartbeat from within a long step."""
+        """Send a heartbeat during a long step."""
         self._beat = time.monotonic()
 
     def silent_for(self) -> float:

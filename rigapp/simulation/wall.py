@@ -56,7 +56,7 @@ class Wall(NamedTuple):
     """A wall: constant nodes and compliance, and its accumulated wear.
 
     angle, weight (NODES,): rad; compliance (NODES, NODES): m/Pa; worn (NODES,): radial depth, m;
-    table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): of each force, Pa; state: as below.
+    table (LEVELS + 1, 4), pressure (LEVELS + 1, NODES): per force, Pa; state: see HIGHEST_FORCE.
     """
 
     angle: Array

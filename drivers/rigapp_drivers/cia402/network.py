@@ -61,7 +61,7 @@ Taker = Callable[[bytes, int], None]
 
 
 class _Bus(canopen.Network):  # type: ignore[misc]
-    """Let canopen's SDO client send through the node, with a time-out."""
+    """Route the frames of canopen's SDO client through the node, with a time-out."""
 
     def __init__(self, send: Callable[[int, bytes], None]) -> None:
         super().__init__()

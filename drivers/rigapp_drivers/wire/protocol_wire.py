@@ -192,7 +192,7 @@ class Serial(SerialBase):  # type: ignore[misc]
         return len(data)
 
     def flush(self) -> None:
-        """Do nothing: all is sent at once."""
+        """Do nothing: writes are not buffered."""
 
     def reset_input_buffer(self) -> None:
         """Discard the bytes waiting."""
@@ -201,10 +201,10 @@ class Serial(SerialBase):  # type: ignore[misc]
             self._buffer = b""
 
     def reset_output_buffer(self) -> None:
-        """Do nothing: all is sent at once."""
+        """Do nothing: writes are not buffered."""
 
     def _reconfigure_port(self, force_update: bool = False) -> None:
-        """Do nothing: a recording has no speed."""
+        """Do nothing: a recording has no baud rate."""
 
     def _playing(self) -> Player:
         if self._player is None:
