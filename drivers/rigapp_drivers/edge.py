@@ -249,7 +249,7 @@ class GuardedSlow(Edge):
 
 def _same_number(required: str, reported: str) -> bool:
     """Return whether the serial numbers agree; some devices omit leading zeros."""
-    number, other = (one.strip().casefold().lstrip("0") for one in (required, reported))
+    number, other = (value.strip().casefold().lstrip("0") for value in (required, reported))
     return not required.strip() or number == other
 
 

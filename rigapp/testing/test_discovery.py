@@ -42,9 +42,9 @@ def test_the_device_is_found_among_all_others(
 
 def test_what_answers_is_what_the_driver_identifies(source: Contract, bench: Make) -> None:
     b = bench(source)
-    asked, known = answer_at(b.port.url, (source.info,)).identity, b.driver.open()
-    assert (asked.maker, asked.model) == (known.maker, known.model)
-    assert (asked.firmware, asked.serial_number) == (known.firmware, known.serial_number)
+    probed, known = answer_at(b.port.url, (source.info,)).identity, b.driver.open()
+    assert (probed.maker, probed.model) == (known.maker, known.model)
+    assert (probed.firmware, probed.serial_number) == (known.firmware, known.serial_number)
 
 
 def test_a_data_source_goes_on_as_it_was(

@@ -171,7 +171,7 @@ def record_line(
     """Start recording the line of a device on a port; None: stop it for this purpose."""
     kept = {**_RECORDERS.get((device, port), {}), purpose: recorder}
     # Replace the table in one step, as the line's thread reads it concurrently.
-    _RECORDERS[device, port] = {key: one for key, one in kept.items() if one is not None}
+    _RECORDERS[device, port] = {key: value for key, value in kept.items() if value is not None}
 
 
 def recorders_of(device: str, port: str) -> Collection[WireRecorder]:

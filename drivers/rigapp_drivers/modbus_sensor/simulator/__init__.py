@@ -121,18 +121,18 @@ class ModbusSensorSimulator:
             return self._exception(function, _ILLEGAL_FUNCTION)
         if not 1 <= count <= MOST_WORDS:
             return self._exception(function, _ILLEGAL_VALUE)
-        places = [(function, address) for address in range(first, first + count)]
-        if any(place not in self._words for place in places):
+        keys = [(function, address) for address in range(first, first + count)]
+        if any(key not in self._words for key in keys):
             return self._exception(function, _ILLEGAL_ADDRESS)
         words = dict(self._words)
         if self._plan.on(ModbusSensorFault.SENSOR_BROKEN):
             for register in self._registers:
                 if register.invalid is not None:
-                    for place, word in enumerate(
+                    for index, word in enumerate(
                         register.encode(register.scale * register.invalid + register.offset)
                     ):
-                        words[register.function, register.address + place] = word
-        data = struct.pack(f">{count}H", *(words[place] for place in places))
+                        words[register.function, register.address + index] = word
+        data = struct.pack(f">{count}H", *(words[key] for key in keys))
         return bytes((function, len(data))) + data
 
     @staticmethod
