@@ -11,20 +11,20 @@ from rigapp.cli.options import JsonOption, RigOption, file_option, group, option
 
 calibrate_verbs = group("Fit dead-weight and micrometer readings; certificates.")
 
-TableOption = Annotated[Path | None, option("--readings", "CSV of readings as taken; or --rig.")]
+TableOption = Annotated[Path | None, option("--readings", "CSV of readings; or use --rig.")]
 LiveOption = Annotated[Path | None, option("--rig", "Rig file: take the readings live.")]
 SettingsOption = Annotated[Path, option("--settings", "Settings file (TOML).")]
 WeightsOption = Annotated[str, option("--weights", "Pieces in kg; 5x8: eight pieces of 5 kg.")]
 RecordOption = Annotated[Path, file_option("--to", "Record to make; never overwritten.")]
 RecordArgument = Annotated[Path, typer.Argument(help="Calibration record.")]
 JournalOption = Annotated[
-    Path | None, file_option("--journal", "Where events are kept; taken up if there.")
+    Path | None, file_option("--journal", "Journal file; an existing one is resumed.")
 ]
 PractiseOption = Annotated[
     bool, option("--practise", "Simulated rig: a simulated operator does the work.")
 ]
 FormerOption = Annotated[
-    Path | None, option("--former", "Record in use until now, compared; with --rig that it names.")
+    Path | None, option("--former", "Previous record for comparison; by default the rig file's.")
 ]
 
 
@@ -77,7 +77,7 @@ def calibrate_probes(
     ] = "full",
     positions: Annotated[int, option("--positions", "Positions of a run.")] = 11,
     reach_um: Annotated[
-        float | None, option("--reach-um", "Largest position; else 80 % of the probe's range.")
+        float | None, option("--reach-um", "Largest position; default: 80 % of the probe's range.")
     ] = None,
     journal: JournalOption = None,
     practise: PractiseOption = False,
@@ -97,7 +97,7 @@ def calibrate_probes(
 def calibrate_channel(
     settings: SettingsOption,
     to: RecordOption,
-    readings: Annotated[Path, option("--readings", "CSV of voltages beside a reference.")],
+    readings: Annotated[Path, option("--readings", "CSV of voltages and reference values.")],
     json: JsonOption = False,
 ) -> int:
     """Calibrate a free channel, as a line or a table, from a CSV; a bad fit is refused."""
@@ -112,18 +112,18 @@ def calibrate_run_out(
     rig: Annotated[Path | None, option("--rig", "Rig file: roll the spindle slowly now.")] = None,
     recorded: Annotated[
         list[Path] | None,
-        option("--from", "Test file of a slow roll, whole cycles kept; repeatable."),
+        option("--from", "Test file of a slow roll with complete cycles; repeatable."),
     ] = None,
     settings: Annotated[
         Path | None, option("--settings", "Settings file: [pin], [paperwork].")
     ] = None,
     test: Annotated[
-        Path | None, option("--test", "Test file whose mechanism and limits are kept.")
+        Path | None, option("--test", "Test file whose mechanism and limits apply.")
     ] = None,
     rpm: Annotated[
-        str, option("--rpm", "Speeds of the rolls; two tell inertia from run-out.")
+        str, option("--rpm", "Speeds of the rolls; two separate inertia from run-out.")
     ] = "3,6",
-    revolutions: Annotated[int, option("--revolutions", "Of each roll.")] = 12,
+    revolutions: Annotated[int, option("--revolutions", "Revolutions of each roll.")] = 12,
     orders: Annotated[int, option("--orders", "Fourier orders of the map.")] = 8,
     json: JsonOption = False,
 ) -> int:
@@ -143,7 +143,7 @@ def calibrate_running_check(
     speeds: Annotated[
         str, option("--speeds", "Speeds in rpm; the slowest is the zero.")
     ] = "30,120,240",
-    revolutions: Annotated[int, option("--revolutions", "At each speed.")] = 20,
+    revolutions: Annotated[int, option("--revolutions", "Revolutions at each speed.")] = 20,
     mass_kg: Annotated[
         float | None,
         option("--mass-kg", "Of the pin outboard of the gauges; else the rig file's."),
@@ -159,7 +159,7 @@ def calibrate_running_check(
     ] = None,
     json: JsonOption = False,
 ) -> int:
-    """Turn the pin alone: does the cell show its known inertia, - m r w^2 in force_1?"""
+    """Check the load cell by the pin's inertia while it turns alone: - m r w^2 in force_1."""
     from rigapp.commands.live.spindle_runs import check_running
 
     return check_running(
@@ -171,12 +171,10 @@ def calibrate_running_check(
 @calibrate_verbs.command("release")
 def calibrate_release(
     rig: RigOption,
-    yes: Annotated[
-        bool, option("--yes", "The pin was looked at, nothing hangs on it: do not ask.")
-    ] = False,
-    reason: Annotated[str, option("--reason", "Why; it goes into the log.")] = "",
+    yes: Annotated[bool, option("--yes", "Confirm that the pin is free; do not ask.")] = False,
+    reason: Annotated[str, option("--reason", "Reason for the log.")] = "",
 ) -> int:
-    """End a calibration that occupies the rig, in place of the window that died."""
+    """End a calibration whose window has failed, so that the rig is free again."""
     from rigapp.commands.live.engine_line import release_calibration
 
     return release_calibration(rig, reason, sure=yes)
@@ -239,7 +237,7 @@ def calibrate_verify(
 
 @calibrate_verbs.command("key")
 def calibrate_key(
-    to: Annotated[Path, file_option("--to", "Private key to make; FILE.pub beside.")],
+    to: Annotated[Path, file_option("--to", "Private key to create; the public key is FILE.pub.")],
 ) -> int:
     """Make the key with which a laboratory signs records, and its public key."""
     from rigapp.commands.calibrate import make_key

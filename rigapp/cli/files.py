@@ -35,7 +35,7 @@ def info(
 
 @verbs.command()
 def close(file: RecordedArgument) -> int:
-    """End a file whose writer is gone, without its rig; trim it to what is saved."""
+    """End an interrupted test file without its rig; trim it to what is saved."""
     from rigapp.commands.files import close_file
 
     return close_file(file)
@@ -58,7 +58,8 @@ def export(
     to: Annotated[Path, file_option("--to", "FILE.csv, .parquet or .xlsx")],
     cycles: Annotated[bool, option("--cycles", "Saved cycles, not statistics.")] = False,
     points: Annotated[
-        int | None, option("--points", "With --cycles: put each on so many even crank angles.")
+        int | None,
+        option("--points", "With --cycles: resample each to this number of crank angles."),
     ] = None,
     decimal: Annotated[str, option("--decimal", "Decimal sign of a CSV file: . or a comma.")] = "",
     separator: Annotated[
@@ -105,9 +106,11 @@ def package(
     author: Annotated[
         list[str] | None, option("--author", "'Family, Given'; repeatable. Else the operators.")
     ] = None,
-    licence: Annotated[str, option("--licence", "Of the data, as SPDX names it.")] = "CC-BY-4.0",
+    licence: Annotated[
+        str, option("--licence", "Licence of the data (SPDX identifier).")
+    ] = "CC-BY-4.0",
     allow_private: Annotated[
-        bool, option("--allow-private", "Also with what looks private; it is shown.")
+        bool, option("--allow-private", "Pack even if private data are found; they are listed.")
     ] = False,
 ) -> int:
     """Pack tests for publication; status 1 when something private is in them."""
@@ -124,7 +127,7 @@ def identify(
     ] = None,
     json: JsonOption = False,
     after: Annotated[
-        int | None, option("--after", "As it was known after so many revolutions.", min=1)
+        int | None, option("--after", "Use only data up to this revolution.", min=1)
     ] = None,
 ) -> int:
     """Identify the wear coefficient of recorded tests, remaining life and scatter of specimens."""
@@ -165,7 +168,8 @@ RestitutionOption = Annotated[
     float | None, option("--restitution", "Joint contact: restitution instead of the file's.")
 ]
 TimeLimitOption = Annotated[
-    float | None, option("--time-limit-s", "Write what was reached by then and end with status 1.")
+    float | None,
+    option("--time-limit-s", "Stop after this time, write the partial result, exit with 1."),
 ]
 
 
@@ -180,7 +184,8 @@ def model_forces(
     ] = None,
     points: Annotated[int, option("--points", "Crank angles of the cycle.")] = 360,
     revolutions: Annotated[
-        int | None, option("--revolutions", "Joint contact: add means over so many, with errors.")
+        int | None,
+        option("--revolutions", "Joint contact: add means over this number of revolutions."),
     ] = None,
     tolerance: Annotated[
         float | None, option("--tolerance", "Joint contact: error of a step, of the penetration.")
@@ -273,7 +278,7 @@ def study(
         str, option("--scheduler", "Dask scheduler, tcp://ADDRESS:PORT; else this computer.")
     ] = "",
     workers: Annotated[
-        int | None, option("--workers", "Processes here; by default one a core.", min=1)
+        int | None, option("--workers", "Local processes; default: one per core.", min=1)
     ] = None,
 ) -> int:
     """Vary parameters of the model, or of virtual tests, and gather the results in a table."""

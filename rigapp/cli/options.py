@@ -73,9 +73,7 @@ BindOption = Annotated[
         metavar="tcp://ADDRESS:PORT",
     ),
 ]
-OperatorOption = Annotated[str, option("--operator", "Who asks; stands in the log.")]
-TokenOption = Annotated[
-    Path | None, option("--token", "File of mode 0600 with what a visitor must know.")
-]
+OperatorOption = Annotated[str, option("--operator", "Operator's name for the log.")]
+TokenOption = Annotated[Path | None, option("--token", "File (mode 0600) with the access token.")]
 CertificateOption = Annotated[Path | None, option("--certificate", "Certificate (PEM).")]
 KeyOption = Annotated[Path | None, option("--key", "Its private key (PEM), mode 0600.")]

@@ -34,7 +34,7 @@ def gui(
     test: Annotated[Path | None, option("--test", "Test file to offer first.")] = None,
     start: Annotated[bool, option("--start", "Start that test at once.")] = False,
     language: Annotated[
-        str, option("--language", "en or de; kept for the next time. Else as the system.")
+        str, option("--language", "en or de; stored. Default: the system's language.")
     ] = "",
 ) -> int:
     """Open the operator's window (without a rig file: on the simulated rig)."""
@@ -77,9 +77,11 @@ def resume(
     speed: SpeedOption = None,
     bind: BindOption = None,
     reason: Annotated[
-        str, option("--reason", "Why it may continue with another calibration or zero; logged.")
+        str, option("--reason", "Reason for resuming with another calibration or zero; logged.")
     ] = "",
-    check: Annotated[bool, option("--check", "Only show what is there and what differs.")] = False,
+    check: Annotated[
+        bool, option("--check", "Only show the state of the file and the differences.")
+    ] = False,
 ) -> int:
     """Resume an interrupted test in the same file, after a check of what has changed."""
     from rigapp.service.registry import starting
@@ -96,12 +98,12 @@ def resume(
 def init(
     folder: Annotated[Path, typer.Argument(help="Folder to make or to fill.")] = Path(),
     real: Annotated[
-        bool, option("--real", "For real devices: asked for, or by the options below.")
+        bool, option("--real", "For real devices, entered interactively or by options.")
     ] = False,
     daq: Annotated[str, option("--daq", "Driver of the data acquisition.", metavar="DRIVER")] = "",
-    daq_port: Annotated[str, option("--daq-port", "Its port; else searched for.")] = "",
+    daq_port: Annotated[str, option("--daq-port", "Its port; default: search.")] = "",
     drive: Annotated[str, option("--drive", "Driver of the drive.", metavar="DRIVER")] = "",
-    drive_port: Annotated[str, option("--drive-port", "Its port; else searched for.")] = "",
+    drive_port: Annotated[str, option("--drive-port", "Its port; default: search.")] = "",
 ) -> int:
     """Make rig, test and calibration files to start from; overwrites nothing."""
     named = {"daq": (daq, daq_port), "drive": (drive, drive_port)}
@@ -174,9 +176,7 @@ def wire(
 
 @verbs.command()
 def doctor(
-    port: Annotated[
-        str | None, option("--port", "Ask only this port who is there.", metavar="URL")
-    ] = None,
+    port: Annotated[str | None, option("--port", "Examine only this port.", metavar="URL")] = None,
     json: JsonOption = False,
     rules: Annotated[
         bool, option("--rules", "Print udev rules for the ports of a rig, and nothing else.")
@@ -201,8 +201,10 @@ def status(
 
 @verbs.command()
 def notify(
-    rig: Annotated[Path | None, option("--rig", "Rig file; else the user's ways alone.")] = None,
-    test: Annotated[bool, option("--test", "Send one message by every way.")] = False,
+    rig: Annotated[
+        Path | None, option("--rig", "Rig file; default: only the user's notification channels.")
+    ] = None,
+    test: Annotated[bool, option("--test", "Send a test message through every channel.")] = False,
 ) -> int:
     """Show the recipients of messages and the messages that wait; or send a test message."""
     from rigapp.commands.unattended import show_ways, try_ways
@@ -239,7 +241,7 @@ def page(
 
 @verbs.command()
 def keys() -> None:
-    """Make this user's key pair as a viewer of rigs elsewhere; print the file to hand over."""
+    """Create this user's viewer keys for remote rigs; print the file for the engine's owner."""
     from rigapp.service.registry import lasting_folder
     from rigapp.service.security import viewer_keys
 
@@ -253,7 +255,7 @@ def engine(
     rig: Annotated[Path, typer.Argument()],
     speed: SpeedOption = None,
     bind: BindOption = None,
-    stay: Annotated[bool, option("--stay", "Also while nobody looks on.")] = False,
+    stay: Annotated[bool, option("--stay", "Keep running without viewers.")] = False,
 ) -> int:
     """Host an engine for windows to attach to."""
     from rigapp.service.registry import starting
@@ -274,7 +276,7 @@ def queue_add(
     rig: RigOption,
     to: Annotated[Path, option("--to", "Folder for the recorded files.")] = Path("results"),
 ) -> int:
-    """Put tests at the end of the queue; each file is named after its test and the moment."""
+    """Append tests to the queue; files are named by test and time."""
     from rigapp.commands.unattended import queue_tests
 
     return queue_tests(tests, rig, to)
@@ -335,7 +337,7 @@ def service_install(
     ] = False,
     show: Annotated[bool, option("--show", "Print the units; write and start nothing.")] = False,
 ) -> int:
-    """Start engines and page with the computer; an engine connects and tells, nothing turns."""
+    """Start engines and page with the computer; engines connect and report, nothing moves."""
     from rigapp.commands import unattended
 
     if rules:
@@ -356,10 +358,11 @@ def service_install(
 @service_verbs.command("remove")
 def service_remove(
     rig: Annotated[
-        list[Path] | None, option("--rig", "Rig file whose engine is meant; else all, and page.")
+        list[Path] | None,
+        option("--rig", "Rig file of the engine; default: all engines and the page."),
     ] = None,
 ) -> int:
-    """Stop them and start them no more; what runs is ended as by a signal."""
+    """Stop the services and remove them from the start-up; a running test ends as by a signal."""
     from rigapp.commands import unattended
 
     return unattended.remove_units(rig or [])
