@@ -1,7 +1,7 @@
-"""What a reading is worth: fits, checks that name the mistake, uncertainty, procedures, records.
+"""Calibration: fits, checks that name a mistake, uncertainty, procedures, records.
 
 Arrays and plain values in, frozen results out, SI; no files, no devices, nothing of the
-application. ``taking`` is what all calibrations share (readings, steps, steadiness); ``load_cell``,
-``probes``, ``channel`` and ``turning`` (what is taken while the spindle turns) are the subjects. A
-subject imports ``taking``, ``problems`` and no other subject; ``records`` seals what comes out.
+application. ``taking`` holds what all calibrations share (readings, steps, steadiness);
+``load_cell``, ``probes``, ``channel`` and ``turning`` (readings with a turning spindle) are the
+types. A type imports ``taking``, ``problems`` and no other type; ``records`` seals the results.
 """

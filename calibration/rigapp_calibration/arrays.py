@@ -1,4 +1,4 @@
-"""The arrays of calibrations: readings, forces, residuals; and which of them are meant."""
+"""Array types of calibrations: readings, forces, residuals, and masks that select them."""
 
 from __future__ import annotations
 
@@ -10,4 +10,4 @@ Whole = NDArray[np.int64]
 Marks = NDArray[np.bool_]
 
 ACROSS = np.array([[0.0, 1.0], [-1.0, 0.0]])
-"""A row vector times this is turned by a right angle."""
+"""Rotates a row vector by a right angle when multiplied from the right."""

@@ -1,4 +1,4 @@
-"""What can be wrong with a calibration, as a code and one sentence for the operator."""
+"""Problems of a calibration: a code and one sentence for the operator."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rigapp.texts import say
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """Name a problem. blocks: the calibration is refused because of it."""
+    """A problem. blocks: the calibration is refused because of it."""
 
     code: str
     sentence: str
@@ -18,15 +18,15 @@ class Problem:
 
 
 def refusal(code: str, template: str, *values: object) -> Problem:
-    """Return a problem because of which the calibration is refused."""
+    """Return a problem that blocks the calibration."""
     return Problem(code, say(template, *values))
 
 
 def note(code: str, template: str, *values: object) -> Problem:
-    """Return a problem that is only reported: nothing is refused because of it."""
+    """Return a problem that is only reported and blocks nothing."""
     return Problem(code, say(template, *values), blocks=False)
 
 
 def blocked(problems: Iterable[Problem]) -> bool:
-    """Tell whether something is refused because of any of its problems."""
+    """Return whether any of the problems blocks."""
     return any(one.blocks for one in problems)

@@ -2,7 +2,7 @@
 
 A record is a JSON object with sorted keys. ``digest`` is the SHA-256 of the canonical JSON of the
 content, and ``number`` its first twelve digits: the unique number of the certificate. ``signature``
-is there when a laboratory answers for the digest (``signatures``).
+is present when a laboratory signed the digest (``signatures``).
 """
 
 from __future__ import annotations
@@ -19,26 +19,26 @@ from rigapp.texts import SentenceError, say
 
 SCHEMA = 1
 BESIDE = ("digest", "number", "signature")
-"""Keys of a record that are not of its content."""
+"""Keys of a record that are not part of its content."""
 EVALUATION = 6
-"""Of the fits, checks and budgets: raised when the same readings give another result than before.
+"""Version of the fits, checks and budgets: raised when the same readings give another result.
 
-A record of another evaluation is compared only in what every evaluation must give alike.
+A record of another evaluation is compared only in values common to all evaluations.
 """
 
 CLOCKS_S = 86400.0
-"""A date is in the future when it is later by more than a day: two computers' clocks may differ."""
+"""Tolerance of a date in the future: the clocks of two computers may differ by a day."""
 
 MALFORMED = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
-"""What reading a value raises that is missing, of another kind or out of its range."""
+"""Errors raised by reading a value that is missing, of another type or out of range."""
 
 
 class RecordError(SentenceError, ValueError):
-    """Say why a record cannot be used."""
+    """A record cannot be used; the text gives the reason."""
 
 
 class RecordChanged(RecordError):
-    """Say that a record is not what was sealed."""
+    """A record differs from what was sealed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class Signature:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A calibration record as read: its content, its digest, its signature if it has one."""
+    """A calibration record as read: content, digest, and signature if it has one."""
 
     content: Mapping[str, Any]
     digest: str
@@ -64,14 +64,14 @@ class Record:
 
     @property
     def kind(self) -> str:
-        """Return what was calibrated."""
+        """Return the kind of the calibration."""
         return str(self.content["kind"])
 
     @property
     def evaluation(self) -> int:
-        """Return the evaluation by which the result was made.
+        """Return the number of the evaluation that made the result.
 
-        1 of records that do not say; 0 where what they say is no whole number from 1.
+        1 if the record states none; 0 if the stated value is not a whole number from 1.
         """
         stated = self.content.get("evaluation", 1)
         return stated if type(stated) is int and stated >= 1 else 0
@@ -121,7 +121,7 @@ def unseal(data: bytes) -> Record:
 
 
 def check_shape(record: Record) -> None:
-    """Refuse a record whose parts or dates are not what its readers rely on; raise RecordError."""
+    """Check the parts and dates that readers of a record rely on; raise RecordError."""
     for key in ("result", "settings"):
         if not isinstance(record.content.get(key), dict):
             raise RecordError("it has no {}", key)
@@ -143,7 +143,7 @@ def checked_record(data: bytes) -> Record:
 
 
 def in_future(record: Record, now: float) -> str:
-    """Return why the date of a record cannot be, empty when it can."""
+    """Return why the date of a record is impossible, empty if it is possible."""
     stated = str(record.content["calibrated_at"])
     if moment(stated) <= now + CLOCKS_S:
         return ""

@@ -1,6 +1,6 @@
 """Signatures of records with a laboratory's key: Ed25519 (RFC 8032) over the record's digest.
 
-A digest shows that a record is whole, a signature who answers for it. Keys are PEM as OpenSSL reads
+A digest proves that a record is complete, a signature who issued it. Keys are PEM as OpenSSL reads
 and writes them: PKCS #8 without a passphrase, and SubjectPublicKeyInfo.
 """
 
@@ -16,13 +16,13 @@ from rigapp.texts import SentenceError, say
 from rigapp_calibration.records import Record, Signature
 
 PREFIX = b"calibration record, SHA-256 "
-"""Before the digest, so that the signature of a record is one of nothing else."""
+"""Prefix of the signed digest, so that the signature is valid for records only."""
 FINGERPRINT = 32
-"""Hexadecimal digits of a fingerprint: 128 bits, which nobody can hit with another key."""
+"""Hexadecimal digits of a fingerprint: 128 bits, out of reach of a search for a second key."""
 
 
 class UnusableKey(SentenceError, ValueError):
-    """Say why a key cannot be used."""
+    """A key cannot be used; the text gives the reason."""
 
 
 def new_key() -> tuple[bytes, bytes]:
@@ -52,7 +52,7 @@ def sign(record: Record, private: bytes) -> Signature:
 
 
 def signature_fault(record: Record) -> str:
-    """Return why the signature of a signed record does not hold, empty when it holds."""
+    """Return why the signature of a signed record is invalid, empty if it is valid."""
     signature = record.signature
     assert signature is not None
     try:

@@ -1,7 +1,7 @@
-"""A free channel: its voltage against a reference, as a line or as a table, and what it is worth.
+"""Free channel: fit of its voltage against a reference, by a line or a table, with uncertainty.
 
 Values are in the channel's own unit, signals in V. The line is fitted to the signals and inverted:
-the reference is known better. A table has a point where the reference stood, the mean of its
+the reference is known better. A table has a point at each reference value, the mean of its
 readings, and is linear between its points.
 """
 
@@ -37,18 +37,18 @@ from rigapp_calibration.taking.uncertainty import (
 
 CHANNEL_COLUMNS = ("series", "step", "reference", "signal_V")
 FEWEST_POINTS = 3
-"""References: two make a line or a table, the third shows whether it is right between them."""
+"""Reference points: two define a line or a table, the third checks it in between."""
 SAME_POINT = 0.01
-"""Part of the span within which references are one point: a bath comes back so near to a mark."""
+"""Part of the span within which references are one point: repeatability of a bath at a mark."""
 TOO_UNCERTAIN = 0.05
-"""Part of the span: a transmitter that nobody calibrated is wrong by no more."""
+"""Part of the span: the error of an uncalibrated transmitter is below it."""
 DEAD = 1e-4
-"""V: less than an input of 10 V resolves with 16 bits."""
+"""V: below the resolution of a 10 V input with 16 bits."""
 
 
 @dataclass(frozen=True, slots=True)
 class ChannelSettings:
-    """What is calibrated: how its values follow from signals, and what the reference is worth.
+    """Settings of a channel's calibration: characteristic and uncertainty of the reference.
 
     reference_uncertainty: standard, unit of the channel. resolution_volts: step of the signal.
     """
@@ -86,7 +86,7 @@ class ChannelCalibration:
 
     @property
     def accepted(self) -> bool:
-        """Tell whether nothing stands against its use."""
+        """Return whether no problem blocks its use."""
         return not blocked(self.problems)
 
 
@@ -101,7 +101,7 @@ def channel_table(rows: Rows) -> ChannelReadings:
 
 
 def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> ChannelCalibration:
-    """Fit the readings; what is wrong with them is in the result's ``problems``."""
+    """Fit the readings; mistakes are listed in the result's ``problems``."""
     problems = list(_unusable(readings))
     if blocked(problems):
         return ChannelCalibration(tuple(problems))
@@ -131,14 +131,14 @@ def calibrate_channel(readings: ChannelReadings, settings: ChannelSettings) -> C
 
 
 def value_at(points: Array, signal: Array) -> Array:
-    """Return the values of points (2, m) at signals (n,): linear, beyond the ends too."""
+    """Return the values of points (2, m) at signals (n,): linear, also beyond the ends."""
     low = np.clip(np.searchsorted(points[0], signal) - 1, 0, points.shape[1] - 2)
     slope = np.diff(points[1])[low] / np.diff(points[0])[low]
     return np.asarray(points[1, low] + slope * (signal - points[0, low]), np.float64)
 
 
 def rule_of(result: Mapping[str, Any]) -> str:
-    """Return how a value follows from a voltage, in words; of a result as a record keeps it."""
+    """Return in words how a recorded result converts a voltage to a value."""
     if result["table"] is not None:
         ends = result["table"][0], result["table"][-1]
         return say(
@@ -224,10 +224,10 @@ def _of_line(
 
 
 def _of_table(readings: ChannelReadings, points: Array, place: Whole) -> tuple[Contribution, ...]:
-    """Return what repeats badly, what its means are worth, and what lies between the points.
+    """Return the repeatability, the uncertainty of the means and the error between the points.
 
-    A point that is left out shows how far the table is off at the middle of an interval of twice
-    the width; a smooth curve is off by a quarter of that in one of the width.
+    Leaving out a point shows the error of the table at the middle of an interval of twice the
+    width; for a smooth curve the error in a single interval is a quarter of that.
     """
     residual = value_at(points, readings.signal) - readings.reference
     free = len(residual) - points.shape[1]

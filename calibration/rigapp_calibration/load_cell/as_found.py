@@ -1,8 +1,8 @@
-"""As found against as left: what a new calibration finds of the record that was in use until then.
+"""As found against as left: the deviation of the previous record, found by a new calibration.
 
-The former record is applied to what the new one says the signals of known forces (or positions)
-are. What it tells too much is compared with U of the difference of both: the root of the sum of the
-squares of their own. Records of one item, oldest first, are its trend.
+The former record is applied to the signals that the new one gives for known forces (or positions).
+Its deviation is compared with U of the difference of both: the root of the sum of the squares of
+their own. Records of one item, oldest first, are its trend.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Result = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What a former record tells too much of one quantity, and what is allowed: U, or a limit."""
+    """Deviation of a former record in one quantity, and the allowed one: U, or a limit."""
 
     what: str
     unit: str
@@ -36,7 +36,7 @@ class Change:
 
     @property
     def beyond(self) -> bool:
-        """Tell whether it is more than is allowed."""
+        """Return whether it exceeds the allowed deviation."""
         return abs(self.value) > self.allowed
 
     @property
@@ -76,7 +76,7 @@ class Output:
 
 
 def outputs(kind: str, result: Result) -> tuple[Output, ...]:
-    """Return the sensitivities of a result, as a trend shows them; () of what states none."""
+    """Return the sensitivities of a result for a trend; () if it states none."""
     if kind == "load cell" and result.get("sensitivity_unit_per_N"):
         full = float(result["full_scale_N"])
         share = _own_expanded(result) / full
@@ -113,10 +113,7 @@ def _own_expanded(result: Result) -> float:
 
 
 def changes(kind: str, former: Result, new: Result) -> tuple[Change, ...]:
-    """Return what the former of two results of a kind tells too much; () of what has no rule.
-
-    Results of another full scale are of another cell, and are not compared.
-    """
+    """Return the deviations of the former of two results of a kind; () for kinds without a rule."""
     if kind == "load cell":
         return tuple(_of_cell(former, new))
     if kind not in ("probe", "probe pair"):
@@ -130,9 +127,10 @@ def changes(kind: str, former: Result, new: Result) -> tuple[Change, ...]:
 
 
 def as_found(kind: str, former: Record, new: Result) -> tuple[dict[str, Any], tuple[str, ...]]:
-    """Return what a new record keeps of the one before, and the same in sentences; empty of none.
+    """Return the as-found result for the new record, and as sentences; empty if there is none.
 
     Raises KeyError, TypeError or ValueError for a former record that lacks numbers.
+
     """
     found = changes(kind, former.content["result"], new)
     if not found:
@@ -197,7 +195,7 @@ def _bent(result: Result, force: Array) -> Array:
 
 
 def _expanded(result: Result, part: str) -> float:
-    """Return U at full scale along or across the force; of records of before that of a reading."""
+    """Return U at full scale along or across the force; of older records that of a reading."""
     by_load: Sequence[Result] = result.get("uncertainty_by_load") or ()
     stated = by_load[-1].get(f"{part}_mean_of_many_N") if by_load else None
     return float(result["expanded_uncertainty_N"] if stated is None else stated)
@@ -214,7 +212,7 @@ def _of_probe(former: Result, new: Result, number: int) -> Iterator[Change]:
 
 
 def trend(records: Sequence[Record]) -> list[tuple[Record, tuple[Change, ...]]]:
-    """Return records of one kind by the time of calibration, each with what the one before told.
+    """Return records of one kind by date, each with the deviations of the one before.
 
     Raises RecordError for two that cannot be compared.
     """

@@ -1,4 +1,4 @@
-"""The uncertainty of a calibrated force: a budget by GTC, and what class it would allow."""
+"""Uncertainty of a calibrated force: a budget by GTC, and the class that it would allow."""
 
 from __future__ import annotations
 
@@ -18,27 +18,29 @@ from rigapp_calibration.load_cell.weights import relative_force_uncertainty
 from rigapp_calibration.taking.uncertainty import Budget, Contribution, at_most, combine
 
 NEAR = 1.06
-"""Times the largest load that still counts as calibrated: pieces do not make full scale exactly."""
+"""Factor of the largest load up to which forces count as calibrated: pieces rarely sum to full
+scale."""
 IN_A_ZERO = 1.15
-"""Times the half width of the lean of a zero: a metal that remembers its loads always leans by
-about two thirds of the loop, whose root mean square is that of a rectangle so much wider. A zero in
-use that is taken at another angle has it in full."""
+"""Factor of the half width of a zero's shift: a metal with hysteresis always shifts by about two
+thirds of the loop, whose root mean square is that of a rectangle so much wider. A zero in use that
+is taken at another angle has all of it."""
 LEAN_OF_A_PART = 2.0
-"""The same of a cell that was loaded to a part of its scale: loops go with the square of the load
-(Rayleigh); a load of the other direction before makes one twice as long, half of it the lean."""
+"""The same for a cell loaded to part of its scale: loops grow with the square of the load
+(Rayleigh); a previous load in the other direction makes one twice as long, half of it the shift."""
 SMALLEST_SHARE = 0.2
-"""Of full scale: the smallest force of which is said what a class would need, as a fifth of it."""
+"""Part of full scale: smallest force for which the needs of a class are stated, as a fifth of
+it."""
 BUDGET_AT = (0.0, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0)
-"""Shares of full scale at which the uncertainty is told; U = a + b F bounds it between them."""
+"""Shares of full scale at which the uncertainty is stated; U = a + b F bounds it between them."""
 DIRECTIONS = 16
-"""Directions of the load of which the worst is stated: of eight or more angles all are alike."""
+"""Directions of the load, of which the worst is stated; from eight angles on all are alike."""
 
 
 @dataclass(frozen=True, slots=True)
 class LoadUncertainty:
     """The uncertainty of one reading at a load (N): across the force, and along it, that of |F|.
 
-    ``Budget.of_mean`` tells that of a mean of readings.
+    ``Budget.of_mean`` gives that of a mean of readings.
     """
 
     load: float
@@ -75,7 +77,7 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
     )
     both = (
         *_zeros(parts, settings),
-        # Each bridge remembers the loads of its own, whatever the direction of all of it.
+        # Hysteresis of each bridge depends on its own load, whatever the direction of the force.
         Contribution(
             say("reversibility and interpolation"),
             math.sqrt(float(np.mean(np.square(points)))) if points else 0.0,
@@ -104,7 +106,7 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
 def of_calibration(parts: Scatter, settings: LoadCellSettings) -> tuple[LoadUncertainty, ...]:
     """Return the uncertainties of the calibration itself, from no load to the largest one.
 
-    As a laboratory states them (ILAC-P14): nothing that happens later, or elsewhere, is in them.
+    As a laboratory states them (ILAC-P14): without contributions from later use or transport.
     """
     largest = parts.branches.largest
     use = replace(
@@ -117,7 +119,7 @@ def of_calibration(parts: Scatter, settings: LoadCellSettings) -> tuple[LoadUnce
 
 
 def _zeros(parts: Scatter, settings: LoadCellSettings) -> tuple[Contribution, ...]:
-    """Return what the zero, and the weight of the pin that is taken off, give a component."""
+    """Return the contributions of the zero, and of the subtracted pin weight, to a component."""
     zeros = parts.zeros
     more = 1.0
     if settings.use.zeroed:
@@ -125,7 +127,7 @@ def _zeros(parts: Scatter, settings: LoadCellSettings) -> tuple[Contribution, ..
         more = LEAN_OF_A_PART if part else IN_A_ZERO
     weight = (
         Contribution(say("own weight of the pin"), zeros.weight_uncertainty, zeros.degrees, "A"),
-        # A zero leans towards the load of before, as the weight of a pin makes it do.
+        # A zero shifts towards the previous load; so does the weight of a pin.
         at_most(say("zero shift after a load"), more * _zero_shift(parts, settings), "A"),
     )
     if settings.use.zeroed:
@@ -140,10 +142,10 @@ def _zeros(parts: Scatter, settings: LoadCellSettings) -> tuple[Contribution, ..
 
 
 def _zero_shift(parts: Scatter, settings: LoadCellSettings) -> float:
-    """Return how far (N) a zero may lean towards the load of before: the loop, and half the creep.
+    """Return the possible shift (N) of a zero to the previous load: loop, and half the creep.
 
-    What a metal that remembers loads shows at no load depends on the loads of before, between
-    nothing and the widest loop; creep has half of its way back before a zero is read.
+    The hysteresis at no load depends on previous loads, between 0 and the widest loop; half of
+    the creep has recovered before a zero is read.
     """
     use, full = settings.use, settings.cell.full_scale
     loop = parts.branches.widest() if _loops_read(parts, settings) else use.loop * full
@@ -151,7 +153,7 @@ def _zero_shift(parts: Scatter, settings: LoadCellSettings) -> float:
 
 
 def _introduction(use: Use, load: float) -> tuple[Contribution, ...]:
-    """Return the lines of the load's introduction: each adapter has its own."""
+    """Return the contributions of the load introduction: each adapter has its own."""
     if not use.introduction:
         return ()
     size = use.introduction * load
@@ -160,7 +162,7 @@ def _introduction(use: Use, load: float) -> tuple[Contribution, ...]:
 
 
 def _unseen(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
-    """Return the half width (N) of cross terms that the pin angles of the plan do not show."""
+    """Return the half width (N) of cross terms that the pin angles of the plan do not determine."""
     if parts.shown:
         return 0.0
     return settings.use.cross_terms * load**2 / settings.cell.full_scale
@@ -169,7 +171,7 @@ def _unseen(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
 def _beyond_largest(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
     """Return the half width (N) of a nonlinearity of third degree beyond the largest load."""
     largest, full = parts.branches.largest, settings.cell.full_scale
-    # Loads just short of full scale are the pieces' matter, not extrapolation.
+    # Loads just short of full scale are due to the pieces, not extrapolation.
     if load <= NEAR * largest:
         return 0.0
     return settings.use.nonlinearity * load * (load**2 - largest**2) / full**2
@@ -182,12 +184,12 @@ def _reach(settings: LoadCellSettings) -> float:
 
 
 def _loops_read(parts: Scatter, settings: LoadCellSettings) -> bool:
-    """Tell whether falling loads were read, of cycles as long as those in use."""
+    """Return whether falling loads were read, in cycles as long as those in use."""
     return parts.falling and _reach(settings) <= NEAR * parts.branches.largest
 
 
 def _loop(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
-    """Return the half width (N) of the hysteresis that is stated where it was not read."""
+    """Return the half width (N) of the hysteresis that is stated where it was not measured."""
     if _loops_read(parts, settings):
         return 0.0
     share = min(load / _reach(settings), 1.0)
@@ -202,7 +204,7 @@ def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget
             Contribution(
                 "fit", float(np.hypot(*(row * zeros.rest_uncertainty))), zeros.degrees, "A"
             ),
-            # All zeros are read on one step of the display.
+            # All zeros are read with the same resolution step of the display.
             _display(parts, _steps(parts, settings)[0] * float(np.hypot(*row))),
         )
         for row in parts.found.sensitivity
@@ -211,7 +213,7 @@ def zero_uncertainty(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget
 
 
 def pin_weight(parts: Scatter, settings: LoadCellSettings) -> Budget:
-    """Return the weight of what turns with the pin, N, as it acts where the loads hang."""
+    """Return the weight of the turning parts, N, as it acts where the loads hang."""
     zeros = parts.zeros
     lines = (
         Contribution(say("zeros over the pin angle"), zeros.weight_uncertainty, zeros.degrees, "A"),
@@ -223,7 +225,7 @@ def pin_weight(parts: Scatter, settings: LoadCellSettings) -> Budget:
 def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[Budget, ...]:
     """Return the budgets of the matrix elements 11, 12, 21, 22, N per signal unit.
 
-    Each holds what no residual shows as well: the scale (applied force), the turn (angle
+    Each includes what no residual shows: the scale (applied force), the turn (angle
     reference), and half the difference of the gains of the rising and the falling branch.
     """
     matrix = parts.found.matrix
@@ -272,7 +274,7 @@ def matrix_covariance(parts: Scatter, settings: LoadCellSettings) -> Array:
 
 
 def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:
-    """Return what the steps of the display leave in a mean, and the rest of the repeatability, N.
+    """Return the display's resolution error left in a mean, and the remaining repeatability, N.
 
     Readings that scatter less than the steps do are means over blurred steps. Of single readings
     the steps scatter like noise.
@@ -288,7 +290,7 @@ def _display(parts: Scatter, steps: float) -> Contribution:
 
 
 def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:
-    """Return what the fit gives a force along it or across it, in the worst of the directions."""
+    """Return the fit's contribution to a force along it or across it, in the worst direction."""
     turns = 2.0 * np.pi / DIRECTIONS * np.arange(DIRECTIONS)
     units = np.stack((np.cos(turns), np.sin(turns)), axis=-1)
     combinations = np.einsum(
@@ -300,7 +302,7 @@ def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:
 
 
 def _told(parts: Scatter, combination: Array) -> Contribution:
-    """Return the fit's part in a combination (2 p,) of its coefficients in N, axis-major."""
+    """Return the fit's contribution to a combination (2 p,) of coefficients in N, axis-major."""
     variance, degrees = parts.scores.variance(combination.ravel())
     return Contribution("fit", math.sqrt(variance), degrees, "A")
 
@@ -330,7 +332,7 @@ def plain(value: float, digits: int = 4) -> str:
 
 
 def classification(settings: LoadCellSettings, single: float) -> str:
-    """Say in words what the force standards allow, and what averaging would have to reach.
+    """Return in words the class that the force standards allow, and the averaging it would need.
 
     single: standard deviation of one reading, N.
     """
@@ -358,7 +360,7 @@ def classification(settings: LoadCellSettings, single: float) -> str:
 
 
 def _averaging(single: float, wanted: float) -> str:
-    """Say how many readings a mean needs until it is known as well as a resolution ``wanted``."""
+    """Return how many readings a mean needs to be known as well as a resolution ``wanted``."""
     if not single > 0.0:
         return ""
     count = math.ceil((single / (wanted / math.sqrt(12.0))) ** 2)

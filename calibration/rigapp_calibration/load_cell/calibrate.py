@@ -65,7 +65,7 @@ STEADY_CODES = frozenset(
         "copied_series",
     }
 )
-"""Problems without whose cure there is nothing to fit."""
+"""Problems that prevent any fit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,9 +123,9 @@ class CellFit:
 def fit_readings(
     readings: LoadCellReadings, settings: LoadCellSettings, about: Array | None = None
 ) -> CellFit:
-    """Fit the loaded readings less the zeros of their series, and take the rest apart.
+    """Fit the loaded readings less the zeros of their series, and analyse the residuals.
 
-    about (2, 2): the sensitivity nearly, None where the readings tell it themselves. Raises
+    about (2, 2): approximate sensitivity, None to find it from the readings. Raises
     numpy.linalg.LinAlgError when the loads do not span both axes.
     """
     applied = applied_force(readings, settings)
@@ -137,7 +137,7 @@ def fit_readings(
     found, terms = choose_terms(applied[loaded], (readings.signal - zeros.own)[loaded], zeros.rest)
     zeros = zeros_of(readings, settings, found.sensitivity)
     found = replace(found, rest=zeros.rest)
-    # Zeros are seen about the common one, so that their drift and scatter shows.
+    # Relative to the common zero, so that drift and scatter of the zeros remain visible.
     about_rest = np.where(loaded[:, None], zeros.own - zeros.rest, zeros.circle)
     seen = loads(readings, applied, found.force(readings.signal - about_rest))
     residual = (readings.signal - zeros.own) @ found.matrix.T
@@ -150,7 +150,7 @@ def fit_readings(
 def calibrate_load_cell(
     readings: LoadCellReadings, settings: LoadCellSettings
 ) -> LoadCellCalibration:
-    """Fit, check and judge; a calibration with a blocking problem is not accepted."""
+    """Fit, check and evaluate; a calibration with a blocking problem is not accepted."""
     problems = list(check_readings(readings, settings))
     refused = LoadCellCalibration(tuple(problems), classification(settings, 0.0))
     if STEADY_CODES & {problem.code for problem in problems} or any(impossible(settings)):
@@ -199,8 +199,8 @@ def check_rated_output(
 ) -> Iterator[Problem]:
     """Yield a bridge whose output at full scale is not that of the data sheet.
 
-    A unit of mass taken for another one, and a cable that always carries a part of each load, leave
-    no residual: only something that was known before shows them.
+    A wrong unit of mass, or a cable that always carries part of each load, leaves no residual:
+    only previous knowledge reveals them.
     """
     cell = settings.cell
     if cell.rated_output is None:
@@ -226,7 +226,7 @@ def check_rated_output(
 def _creep(
     readings: LoadCellReadings, settings: LoadCellSettings, found: TwoAxisFit, parts: Scatter
 ) -> Creep | None:
-    """Return the creep, None where no usable readings tell it."""
+    """Return the creep, None without usable readings."""
     hung = readings.hung
     if hung is None or any(unusable_creep(hung)):
         return None

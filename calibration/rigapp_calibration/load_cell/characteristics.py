@@ -1,4 +1,4 @@
-"""What the series say about the cell: hysteresis, zero return, repeatability, reproducibility.
+"""Characteristics of the cell: hysteresis, zero return, repeatability, reproducibility.
 
 Definitions follow ISO 376 where the readings allow it, taken along the direction of the load; in
 per cent of the force (of full scale for zero return), computed from the readings themselves.
@@ -25,17 +25,17 @@ from rigapp_calibration.taking.readings import each_series
 CREEP_AT = (30.0, 300.0)
 """Seconds after the load change at which ISO 376 reads the creep."""
 CREEP_TIMES = 0.2
-"""Part of these by which a time may be off: creep goes with the logarithm of time, so that it
-changes by less than a fifth."""
+"""Relative tolerance of these times: creep goes with the logarithm of time, so that it changes by
+less than a fifth."""
 LARGEST_CREEP = 0.01
-"""Part of the load: five times what class 2 of ISO 376 allows is no creep of a cell."""
+"""Part of the load: five times the limit of class 2 of ISO 376; more is not the creep of a cell."""
 ANGLE_STEP = np.radians(1.0)
-"""Nearer pin angles are one: a technician sets them to half a degree by eye."""
+"""Pin angles closer than this are one: a technician sets them to half a degree by eye."""
 
 
 @dataclass(frozen=True, slots=True)
 class Characteristics:
-    """Hold what is defined by the readings; None where they cannot tell. Percentages; N for drift.
+    """Characteristics defined by the readings; None where not determined. Percentages; N for drift.
 
     reproducibility b: between pin angles. repeatability b': between series at one angle.
     interpolation fc, zero_return f0, reversibility v (hysteresis). drift: change of the zero over
@@ -67,11 +67,11 @@ class Loads:
     direction: Array
 
     def runs(self) -> Whole:
-        """Return the number (n,) of the run (a series at one pin angle) of each, as taken."""
+        """Return the number (n,) of each reading's run (a series at one pin angle), as taken."""
         return run_numbers(self.series, self.group)
 
     def only(self, kept: Marks) -> Loads:
-        """Return some of the readings."""
+        """Return the selected readings."""
         return Loads(
             self.applied[kept],
             self.along[kept],
@@ -123,7 +123,7 @@ def loads(readings: LoadCellReadings, force: Array, measured: Array) -> Loads:
 
 
 def characteristics(found: Loads, full_scale: float, residual: Array) -> Characteristics:
-    """Compute what the readings define; residual (n, 2) in N from the fit."""
+    """Compute the characteristics; residual (n, 2) in N from the fit."""
     enough = found.applied >= 0.1 * full_scale
     size = np.hypot(*residual.T)
     interpolation = (
@@ -160,7 +160,7 @@ def _reversibility(found: Loads, enough: Marks) -> float | None:
 def hysteresis_by_load(found: Loads) -> dict[float, float]:
     """Return load -> falling less rising (N), the median over the pin angles; empty without both.
 
-    A single wrong reading moves a median of some angles little.
+    The median over angles is robust against a single wrong reading.
     """
     loaded = found.applied > 0.0
     rising = _means(found, loaded & found.rising, by_series=False)
@@ -191,7 +191,7 @@ def _spread(found: Loads, enough: Marks, *, between_angles: bool) -> float | Non
     spreads = [
         100.0 * (max(values) - min(values)) / float(np.mean(values))
         for values in by_load.values()
-        if len(values) > 1 and np.mean(values) != 0.0  # of a bridge that is dead
+        if len(values) > 1 and np.mean(values) != 0.0  # of a dead bridge
     ]
     return float(max(spreads)) if spreads else None
 
@@ -223,7 +223,7 @@ def _drift(found: Loads) -> float | None:
 
 
 def _rising(readings: LoadCellReadings) -> Marks:
-    """Tell which readings were reached by adding weights within their series."""
+    """Return which readings were reached by adding weights within their series."""
     rising = np.ones(len(readings), dtype=np.bool_)
     last: dict[str, float] = {}
     state: dict[str, bool] = {}
@@ -241,9 +241,9 @@ def _rising(readings: LoadCellReadings) -> Marks:
 
 @dataclass(frozen=True, slots=True)
 class Creep:
-    """The change (N) of what is indicated of a load (N) that stays on, between two times (s).
+    """Change (N) of the indication under a constant load (N) between two times (s).
 
-    half_width: relative to the load; what the scatter of the two readings may hide is in it.
+    half_width: relative to the load; includes what the scatter of both readings may hide.
     """
 
     load: float
@@ -258,7 +258,7 @@ class Creep:
 
 
 def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
-    """Yield a note where readings under a load that stays on tell no creep of ISO 376."""
+    """Yield a note where readings under a constant load give no creep by ISO 376."""
     wanted = joined(say(" and "), (f"{one:g} s" for one in CREEP_AT))
     why = ""
     if len(hung.time) != len(CREEP_AT):
@@ -282,9 +282,10 @@ def unusable_creep(hung: HungReadings) -> Iterator[Problem]:
 
 
 def creep(hung: HungReadings, found: TwoAxisFit, load: float, scatter: float) -> Creep:
-    """Return the creep that two readings of a load (N) tell; scatter: of one component, N.
+    """Return the creep from two readings of a load (N); scatter: of one component, N.
 
-    The scatter of both is added to the square of their difference: so much may it hide.
+    The scatter of both is added to the square of their difference, since it may hide as much.
+
     """
     early, late = found.force(hung.signal)
     change = float((late - early) @ early / np.hypot(*early))
@@ -297,7 +298,7 @@ def creep(hung: HungReadings, found: TwoAxisFit, load: float, scatter: float) ->
 
 
 def check_creep(found: Creep) -> Iterator[Problem]:
-    """Yield that the load was touched between the two readings of the creep."""
+    """Yield a problem if the load was touched between the two readings of the creep."""
     if abs(found.change) > LARGEST_CREEP * found.load:
         yield refusal(
             "creep",
@@ -313,7 +314,7 @@ def check_creep(found: Creep) -> Iterator[Problem]:
 
 
 def creep_words(found: Creep | None, stated: float) -> str:
-    """Return what U has of the creep: the measured one, else the stated part of the load."""
+    """Return the creep used in U: the measured one, else the stated part of the load."""
     if found is None:
         return say("Creep: not measured; U has the {:g} % that the settings state.", 100.0 * stated)
     early, late = found.times
@@ -329,14 +330,14 @@ def creep_words(found: Creep | None, stated: float) -> str:
 
 
 SURE = 5.0
-"""Standard deviations from which on a difference is no noise."""
+"""Standard deviations beyond which a difference is not noise."""
 SURE_WEIGHT = 3.0
-"""And the weight of the pin no scatter of the zeros: its size is far less than any mistake's."""
+"""For the weight of the pin, against the scatter of zeros: it is far smaller than any mistake."""
 
 
 @dataclass(frozen=True, slots=True)
 class Evidence:
-    """What the second round looks at: readings, robust fit, noise (N), loads, N per kg.
+    """Input of the second round of checks: readings, robust fit, noise (N), loads, N per kg.
 
     force (n, 2): applied to the pin, N.
     """
@@ -357,7 +358,7 @@ def applied_force(readings: LoadCellReadings, settings: LoadCellSettings) -> Arr
 
 
 def zeros_of(readings: LoadCellReadings, settings: LoadCellSettings, sensitivity: Array) -> Zeros:
-    """Return what the unloaded readings tell; sensitivity (2, 2): signal per newton."""
+    """Return the zeros of the unloaded readings; sensitivity (2, 2): signal per newton."""
     hanging = settings.weights.at_zero * force_per_mass(settings.weights, settings.place)
     return examine_zeros(
         readings.signal,
@@ -379,9 +380,9 @@ def examine(readings: LoadCellReadings, settings: LoadCellSettings) -> Evidence:
 
 
 def without_pin_weight(evidence: Evidence) -> Evidence:
-    """Return the evidence without what turns with the pin, where the zeros show it for sure.
+    """Return the evidence without the weight of the turning parts, if significant in the zeros.
 
-    A constant load is otherwise named as a hanger that nobody weighed.
+    A constant load would otherwise be reported as an unweighed hanger.
     """
     readings = evidence.readings
     if not np.any(readings.mass == 0.0):

@@ -1,9 +1,8 @@
 """Checks that catch mistakes in dead-weight readings and name them in plain words.
 
-The second round, after ``reading_checks``: it looks at the readings through a robust fit, which
-single mistakes hardly move. What touches all readings (wiring, saturation, drift, hanger,
-hysteresis) is looked at first and then taken off, so that it is not named again as many small
-mistakes (``reading_faults``).
+The second round, after ``reading_checks``: uses a robust fit, which single mistakes hardly move.
+Effects on all readings (wiring, saturation, drift, hanger, hysteresis) are checked first and then
+removed, so that they are not reported again as many small mistakes (``reading_faults``).
 """
 
 from __future__ import annotations
@@ -30,15 +29,15 @@ from rigapp_calibration.taking.readings import place_of
 
 NOTED_TURN = np.radians(2.0)
 BLOCKING_TURN = np.radians(4.0)
-"""A cell's own cross-talk looks like a turn of up to about two degrees; twice that is the angle
+"""Cross-talk of a cell resembles a turn of up to about two degrees; twice that is the angle
 reference."""
 
 DRIFT_STEPS = 2.0
-"""Steps of the resolution: of a quiet cell the first zero and the last may each be one off."""
+"""Steps of the resolution: the first and last zero of a quiet cell may each be off by one."""
 
 
 def check_fit(evidence: Evidence) -> Iterator[Problem]:
-    """Yield the mistakes that the fit shows, the most telling first."""
+    """Yield the mistakes that the fit shows, the most significant first."""
     yield from _no_reference(evidence)
     wiring = list(check_wiring(evidence))
     if wiring:
@@ -69,7 +68,7 @@ def check_fit(evidence: Evidence) -> Iterator[Problem]:
 
 
 def _no_reference(evidence: Evidence) -> Iterator[Problem]:
-    """Say what no reading can show: an error that all pin angles have in common."""
+    """Yield a note on what no reading can show: an angle error common to all pin angles."""
     if not evidence.settings.angle_stated:
         full = evidence.settings.cell.full_scale
         yield note(
@@ -124,7 +123,7 @@ def _axes(evidence: Evidence) -> Iterator[Problem]:
 
 
 def _turned(a: Array) -> Iterator[Problem]:
-    """The rotation in A: a cell's own cross-talk is a few per cent, the rest is the angle."""
+    """Yield the rotation in A: cross-talk of a cell is a few per cent, the rest is the angle."""
     share = 100.0 * max(abs(a[0, 1] / a[0, 0]), abs(a[1, 0] / a[1, 1]))
     turn = float(np.arctan2(a[1, 0] - a[0, 1], a[0, 0] + a[1, 1]))
     if share > 20.0 or abs(turn) > BLOCKING_TURN:
@@ -152,7 +151,7 @@ def _turned(a: Array) -> Iterator[Problem]:
 
 
 def _saturated(evidence: Evidence) -> Iterator[Problem]:
-    """A signal that stands still at its extreme while the load goes on growing."""
+    """Yield a signal that stays at its extreme while the load increases."""
     readings, signal = evidence.readings, evidence.readings.signal
     small = evidence.loads.applied <= 0.6 * evidence.loads.applied.max()
     if np.count_nonzero(small) < 8:
@@ -173,7 +172,7 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
         if np.count_nonzero(at) < 2:
             continue
         beyond = np.sign(signal) * (predicted - signal)
-        # Two equal values are a coincidence only where the display is coarse.
+        # Equal values are a coincidence only with a coarse display.
         sure = np.maximum(SURE * noise, (0.005 if sharp else 0.025) * np.abs(signal))
         if np.median((beyond / sure)[at]) > 1.0:
             index, axis = (int(one) for one in np.argwhere(at)[0])
@@ -191,7 +190,7 @@ def _saturated(evidence: Evidence) -> Iterator[Problem]:
 
 
 def _wandering(evidence: Evidence) -> tuple[Problem | None, Evidence]:
-    """A zero that jumps or drifts; the evidence comes back without it."""
+    """Return a zero that jumps or drifts, and the evidence without it."""
     found = _jump(evidence) or _drift(evidence)
     if found is None:
         return None, evidence
@@ -239,7 +238,7 @@ def _jump(evidence: Evidence) -> tuple[Problem, Array] | None:
 
 
 def _drift(evidence: Evidence) -> tuple[Problem, Array] | None:
-    """The drift from all readings together: single zeros jump by a whole step of the cell."""
+    """Return the drift by all readings: single zeros jump by a resolution step of the cell."""
     cell = evidence.settings.cell
     if np.count_nonzero(evidence.loads.applied == 0.0) < 3:
         return None

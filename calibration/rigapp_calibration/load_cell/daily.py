@@ -1,7 +1,4 @@
-"""The daily check: does the calibration in use still tell the weight that hangs, and its zero?
-
-And its control chart.
-"""
+"""Daily check of the calibration in use by a hanging weight and the zero; its control chart."""
 
 from __future__ import annotations
 
@@ -28,22 +25,22 @@ from rigapp_calibration.load_cell.weights import (
 from rigapp_calibration.taking.readings import each_series
 
 WEIGHT_SHARE = 0.005
-"""Of the weight: half of what class 2 of ISO 376 allows between angles and up and down together."""
+"""Part of the weight: half of what class 2 of ISO 376 allows between angles, and up and down."""
 ZERO_SHARE = 0.01
-"""Of full scale: five times what 20 K make of a good cell. More is an overload, or a gauge that
-comes off; less is taken off before each test."""
+"""Part of full scale: five times the effect of 20 K on a good cell. More is an overload or a
+debonding gauge; less is zeroed before each test."""
 
 
 @dataclass(frozen=True, slots=True)
 class DailyCheck:
     """The result. deviation: (n, 2) N along and across the weight, zero of each series taken off.
 
-    elements (2, 2): felt force = elements applied force, by least squares; the identity when the
-    calibration in use is right. sensitivity: mean ratio of felt to applied force. cross_talk: mean
-    share felt across. zero: (2,) mean zero less the calibration's, N. largest: the largest
-    deviation, N. allowed, zero_allowed: N. weight: the heaviest that hung, N. expanded: U of what
-    is judged, N: along the weight, across it, of the zero. rule: by which it is judged, in words.
-    turned: rad, by which all forces seem turned where nothing else is off; 0 else.
+    elements (2, 2): measured force = elements applied force, by least squares; the identity when
+    the calibration in use is right. sensitivity: mean ratio of measured to applied force.
+    cross_talk: mean share measured across. zero: (2,) mean zero less the calibration's, N. largest:
+    the largest deviation, N. allowed, zero_allowed: N. weight: the heaviest one, N. expanded: U of
+    what is evaluated, N: along the weight, across it, of the zero. rule: decision rule in words.
+    turned: rad, common rotation of all forces if nothing else deviates; else 0.
     """
 
     passed: bool
@@ -69,7 +66,7 @@ def daily_check(
     zero: Array,
     quadratic: Array | None = None,
 ) -> DailyCheck:
-    """Compare the forces that the calibration in use tells with the weights that hung.
+    """Compare the forces by the calibration in use with the applied weights.
 
     The limit is one resolution of the cell, or half a percent of the weight if that is more; of the
     zero, one resolution or a percent of full scale. By the decision rule of JCGM 106, 8.3, U of the
@@ -126,10 +123,10 @@ def daily_check(
 
 
 def _turned(elements: Array, deviation: Array, size: Array, allowed: float) -> float:
-    """Return the angle (rad) by which all forces are turned, 0 where that is not all.
+    """Return the common rotation (rad) of all forces, 0 if it does not explain the deviations.
 
     deviation (n, 2): along and across loads of size (n,), N. A cell changes its gains or its
-    cross-talk; a level that is off turns each force alike and leaves nothing else.
+    cross-talk; a level error rotates each force alike and leaves nothing else.
     """
     turn = math.atan2(elements[1, 0] - elements[0, 1], elements[0, 0] + elements[1, 1])
     c, s = math.cos(turn), math.sin(turn)
@@ -200,7 +197,7 @@ def _sentence(
     zero_allowed: float,
     at_rest: bool,
 ) -> str:
-    """Say whether the cell tells the weight, where not, and whether its zero stands."""
+    """Return whether the cell measures the weight, where not, and whether its zero holds."""
     words: str = say(
         "The cell reads the weight within {:.2f} N ({:.2f} N are allowed).", largest, allowed
     )
@@ -252,27 +249,27 @@ def _sentence(
     return words
 
 
-# The control chart of the daily check: does the cell stay as it was calibrated?
+# Control chart of the daily check: does the cell keep its calibration?
 #
 # A Shewhart chart of one value a day. Two kinds of limits: those of the calibration, the expanded
 # uncertainty about the value that it promises, and those of the history, three standard deviations
 # about its mean, the deviation taken from the moving ranges (mean range / 1.128), which a slow
 # change does not widen; more than three as long as the history is short and the deviation little
-# known. Runs are judged by the rules that are called Western Electric's.
+# known. Runs are evaluated by the Western Electric rules.
 
 ENOUGH = 8
-"""Checks from which on the history has limits of its own."""
+"""Number of checks from which the history has its own limits."""
 RANGE_FACTOR = 1.128
 """Mean range of two values of a normal distribution, in standard deviations."""
 BEYOND = 0.00135
 """Part of a normal distribution beyond three standard deviations, on one side."""
 RANGE_DEGREES = 0.62
-"""Degrees of freedom of a mean moving range, each range counts as so much (Wheeler 1995)."""
+"""Degrees of freedom of a mean moving range, per range (Wheeler 1995)."""
 
 
 @dataclass(frozen=True, slots=True)
 class ChartFinding:
-    """What a rule found of the last value. action: it asks for one, not for attention only."""
+    """What a rule detected in the last value. action: it requires action, not only attention."""
 
     code: str
     sentence: str
@@ -296,7 +293,7 @@ class Chart:
 
     @property
     def limits(self) -> tuple[float, float] | None:
-        """Return the limits of the history: those of the next value of so many."""
+        """Return the limits of the history for the next value."""
         if self.centre is None or self.sigma is None:
             return None
         half = limit_factor(len(self.values) - 1) * self.sigma
@@ -304,22 +301,22 @@ class Chart:
 
 
 def limit_factor(count: int) -> float:
-    """Return how many standard deviations, known from ``count`` values, a next one may be off."""
+    """Return the limit of a next value in standard deviations, estimated from ``count`` values."""
     spread = math.sqrt(1.0 + 1.0 / count)
     return -float(special.stdtrit(RANGE_DEGREES * (count - 1), BEYOND)) * spread
 
 
 def chart(values: Sequence[float], promised: float, expanded: float | None) -> Chart:
-    """Judge values in the order of time.
+    """Evaluate values in the order of time.
 
-    expanded: U of one value about ``promised``; None when the calibration does not state it. The
-    last value is what counts: a rule is told when it ends there.
+    expanded: U of one value about ``promised``; None when the calibration does not state it. Only
+    rules that end at the last value are reported.
     """
     array = np.asarray(values, np.float64)
     centre = sigma = None
     findings = [*_promise(array, promised, expanded)]
     if len(array) >= ENOUGH:
-        # The last value is judged by the others.
+        # The last value is compared with the others.
         before = array[:-1]
         centre = float(before.mean())
         sigma = max(float(np.abs(np.diff(before)).mean()) / RANGE_FACTOR, 1e-12)
@@ -344,7 +341,7 @@ def _promise(values: Array, promised: float, expanded: float | None) -> Iterator
 
 
 def _rules(z: Array) -> Iterator[ChartFinding]:
-    """Judge values in standard deviations from the centre, by the first rule that holds."""
+    """Evaluate values in standard deviations from the centre; yield the first rule that holds."""
     side = float(np.sign(z[-1]))
     above = say("above") if side > 0 else say("below")
     if abs(z[-1]) > limit_factor(len(z) - 1):

@@ -1,16 +1,16 @@
-"""The expanded uncertainty of a measured force: of one sample, of a mean, of a component, of |F|.
+"""Expanded uncertainty of a measured force: of a sample, a mean, a component, of |F|.
 
-The calibration states U(F) = constant + relative |F| of what does not average out: scale, angle
-reference, fit, hysteresis, zero, and what changes in use. It is that of one component in its worst
-direction; that of |F|, whose error is the component along F, has its own two numbers where the
-calibration states them (an error of the angle turns F and leaves |F|). |F| is the magnitude of the
-whole force also where a component is told. A single sample has its noise besides:
+The calibration states U(F) = constant + relative |F| for all parts that do not average out: scale,
+angle reference, fit, hysteresis, zero, and what changes in use. It is that of one component in its
+worst direction; that of |F|, whose error is the component along F, has its own two numbers where
+the calibration states them (an error of the angle turns F and leaves |F|). |F| is the magnitude of
+the whole force also where a component is told. A single sample has its noise besides:
 
     U = sqrt((constant + relative |F|)^2 + (coverage factor noise)^2 / n)
 
 of a mean of n samples, n = 1 of one. The straight line bounds U from above; where the calibration
 states U at each load, along the force and across it, that is taken between the loads, and holds the
-truth in 95 of 100. Records of before state U of a reading, its scatter included.
+truth in 95 of 100. Older records state U of a reading, its scatter included.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ RIG_FILE_FACTOR = 2.0
 """Coverage factor of ``load_cell.uncertainty_N`` of a rig file."""
 
 LARGEST_SHARE = 0.05
-"""Of full scale. A cell that is not calibrated, read by the sensitivity of its data sheet, is wrong
-by its cross-talk, up to 5 %; a calibration that states more tells less than none."""
+"""Part of full scale. An uncalibrated cell, read by the sensitivity of its data sheet, is wrong by
+its cross-talk, up to 5 %; a calibration that states more is worse than none."""
 
 BY_LOAD = ("by_load_N", "by_load_along_N", "by_load_across_N")
 SHARES_OF_FULL_SCALE = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -66,7 +66,7 @@ class ForceUncertainty:
         of_magnitude: bool = False,
         component: ArrayLike | None = None,
     ) -> Array:
-        """Return the expanded uncertainty of components, N, that are means of so many samples.
+        """Return the expanded uncertainty of components, N, each a mean of several samples.
 
         force: magnitudes of the whole force. of_magnitude: of |F| instead. component: of components
         of this size, N; else of one in its worst direction.
@@ -79,7 +79,7 @@ class ForceUncertainty:
         return np.asarray(np.hypot(stated, random), np.float64)
 
     def _stated(self, size: Array, *, of_magnitude: bool, component: ArrayLike | None) -> Array:
-        """Return what does not average out."""
+        """Return the part that does not average out."""
         own = self.magnitude if of_magnitude else None
         constant, relative = own or (self.constant_N, self.relative)
         line = constant + relative * size
@@ -98,7 +98,7 @@ class ForceUncertainty:
 
     @property
     def words(self) -> str:
-        """Return the line as it is printed."""
+        """Return the line as printed."""
         line = f"{self.constant_N:.2f} N + {self.relative:.5f} |F|"
         noise = (
             say(", one sample besides ± {:.2f} N", self.coverage_factor * self.noise_N)
@@ -113,7 +113,7 @@ def force_uncertainty(
 ) -> ForceUncertainty | None:
     """Return the uncertainty that a file states, or None.
 
-    By its numbers; in files of before by the calibration record of the load cell, else by
+    By its numbers; in older files by the calibration record of the load cell, else by
     ``uncertainty_N`` of the rig file.
     """
     stored = calibration.get("force_uncertainty")
@@ -125,7 +125,7 @@ def force_uncertainty(
 
 
 def stated_uncertainty(record: str, line: tuple[float, float] | None) -> ForceUncertainty | None:
-    """Return what a sealed record states, else the line of the rig file, else None."""
+    """Return the uncertainty of a sealed record, else the line of the rig file, else None."""
     candidate = _of_record(record)
     if candidate is None and line is not None:
         candidate = ForceUncertainty(line[0], line[1], RIG_FILE_FACTOR, say("rig file"))
@@ -133,7 +133,7 @@ def stated_uncertainty(record: str, line: tuple[float, float] | None) -> ForceUn
 
 
 def too_uncertain(expanded_N: float, full_scale_N: float) -> str:
-    """Return why an expanded uncertainty at full scale is no result, empty when it is one."""
+    """Return why an expanded uncertainty at full scale is unacceptable, empty if acceptable."""
     if expanded_N <= LARGEST_SHARE * full_scale_N:
         return ""
     return say(
@@ -148,10 +148,10 @@ def too_uncertain(expanded_N: float, full_scale_N: float) -> str:
 def noise_of_sample(
     matrix: Array, noise: tuple[float, float] | None, resolution_N: float
 ) -> tuple[float, str]:
-    """Return the standard deviation (N) of one sample of a component, and where it is from.
+    """Return the standard deviation (N) of one sample of a component, and its source.
 
     matrix: (2, 2) N per signal unit. noise: standard deviations of the signals at rest, None when
-    they are not known. Steps that no noise blurs do not show at rest: they count as resolution.
+    they are not known. Steps not dithered by noise are invisible at rest: they count as resolution.
     """
     steps = resolution_N / math.sqrt(12.0)
     if noise is not None and all(map(math.isfinite, noise)):
@@ -272,7 +272,7 @@ def _magnitude(stored: Mapping[str, Any]) -> tuple[float, float] | None:
 
 
 def _known(candidate: ForceUncertainty | None) -> ForceUncertainty | None:
-    """Return an uncertainty whose numbers are numbers, else None."""
+    """Return an uncertainty with finite numbers, else None."""
     if candidate is None:
         return None
     stated = (candidate.constant_N, candidate.relative, candidate.coverage_factor)

@@ -1,10 +1,10 @@
-"""Mistakes that leave a pattern over many readings: a gain that changes, a piece not as marked.
+"""Mistakes with a pattern over many readings: a changed gain, a piece not as marked.
 
-Readings of one load in one run (a series at one pin angle) make one cell. What the cells differ by
-from the applied forces is explained by what honest calibrations show as well (the fit itself, a
+Readings of one load in one run (a series at one pin angle) make one cell. The deviations of the
+cells from the applied forces are explained by effects of correct calibrations (the fit itself, a
 drift of the zero, a turn of each run, half a hysteresis loop) and by one mistake of ``patterns``.
-The one that explains most is named when Student's t of its size leaves no doubt and its size is
-more than a good cell shows; then it is taken off and the next is looked for.
+The one that explains most is reported if Student's t of its size is significant and its size is
+more than a good cell shows; then it is removed and the search is repeated.
 """
 
 from __future__ import annotations
@@ -23,41 +23,42 @@ from rigapp_calibration.problems import Problem, refusal
 from rigapp_calibration.taking.readings import place_of
 
 FALSE_ALARMS = 1e-4
-"""Of good calibrations, by Bonferroni's bound over all patterns: one in ten thousand is refused."""
+"""Probability of a false alarm, by Bonferroni's bound over all patterns: 1 in 10,000 good
+calibrations."""
 GAIN_CHANGE = 0.005
 """Relative: a bridge and its amplifier keep their gain ten times better through an afternoon."""
 MASS_SHARE = 0.003
-"""Of full scale: what good cells show of hysteresis and nonlinearity: less is no piece for sure."""
+"""Part of full scale: good cells show as much hysteresis and nonlinearity."""
 FRICTION = 0.0085
-"""Of full scale: what friction or slack at a hanger holds back is less, what a hanger weighs more.
-"""
+"""Part of full scale: friction or slack at a hanger holds back less, a hanger weighs more."""
 LIKE_THE_HANGER = 0.25
-"""Part of hanger_mass_kg within which a missing mass is the hanger itself: readings tell it so."""
+"""Part of hanger_mass_kg within which a missing mass is attributed to the hanger itself."""
 HELD_BACK = 1.5
-"""Times the stated dead zone that the readings may show of it: they tell it to a third."""
+"""Factor of the stated dead zone that readings may show: they determine it to a third."""
 MOST_AT_ONCE = 3
-"""So many mistakes of this kind in one calibration are named, then it is enough."""
+"""Maximum number of such mistakes reported in one calibration."""
 ROUNDS = 4
-"""The weights of cells that do not fit, and the pattern that explains most, settle in three."""
+"""The weights of outlying cells and the best pattern converge in three rounds."""
 
 
 RAYLEIGH_MEDIAN = 1.1774
 """Of the length of a vector whose two parts have standard deviation 1."""
 ANGLES_OF_CUBES = 7
-"""So many pin angles tell terms of third degree, which good cells have, from what came later."""
+"""Number of pin angles from which terms of third degree, which good cells have, are
+distinguishable."""
 NONLINEARITY_OF_CELL = 0.004
-"""Of full scale, standard deviation of terms of second and third degree: makers state linearities
-up to 0.5 %. A gain that changes from one series on looks much like them, but is larger."""
+"""Part of full scale, standard deviation of terms of second and third degree: makers state
+linearities up to 0.5 %. A gain change between series looks similar, but is larger."""
 FEWEST_DEGREES = 8
-"""Fewer know the noise to no better than a quarter: nothing is told of patterns then."""
+"""Fewer degrees give the noise to no better than a quarter: patterns are then not evaluated."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """A mistake of size 1. column: what it does to the cells (2 cells), N; least: size that counts.
+    """A mistake of size 1. column: its effect on the cells (2 cells), N; least: reported size.
 
-    bridges: whose gain changes, empty for a matter of weights. place: the run from which on, or the
-    place of the load among the loads; only: at that load alone; steady: all at once, not slowly.
+    bridges: whose gain changes, empty for weights. place: first run concerned, or the
+    index of the load; only: at that load alone; steady: all at once, not slowly.
     stated: a size that the settings allow for.
     """
 
@@ -93,7 +94,7 @@ class Averages:
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The pattern that explains most, its size, and whether that is neither chance nor little."""
+    """The pattern that explains most, its size, and whether that is significant."""
 
     pattern: Pattern
     size: float
@@ -101,7 +102,7 @@ class Found:
 
 
 def check_patterns(evidence: Evidence) -> tuple[list[Problem], Evidence]:
-    """Return the mistakes that leave a pattern, and the evidence without them."""
+    """Return the mistakes with a pattern, and the evidence without them."""
     problems: list[Problem] = []
     for _ in range(MOST_AT_ONCE):
         cells = _cells(evidence)
@@ -153,7 +154,7 @@ def _arch(load: Array) -> Array:
 
 
 def _half_loop(evidence: Evidence, cell: Whole) -> float:
-    """Return half of what falling readings lie above rising ones in the middle of the range, N."""
+    """Return half the difference of falling and rising readings at mid-range, N."""
     loads, arch = evidence.loads, _arch(evidence.loads.applied)
     up, down = (np.bincount(cell, one) for one in (loads.rising, ~loads.rising))
     both = (up > 0) & (down > 0)
@@ -169,7 +170,7 @@ def _half_loop(evidence: Evidence, cell: Whole) -> float:
 
 
 def patterns(evidence: Evidence, cells: Averages) -> Iterator[Pattern]:
-    """Yield every mistake that is looked for."""
+    """Yield every pattern of the search."""
     found = evidence.found
     signal = cells.force @ found.sensitivity.T + found.zero
     parts = [np.outer(signal[:, axis], found.matrix[:, axis]) for axis in range(2)]
@@ -195,15 +196,15 @@ def patterns(evidence: Evidence, cells: Averages) -> Iterator[Pattern]:
 
 
 def _towards(cells: Averages) -> Array:
-    """Return the directions (cells, 2) of the loads, 0 where nothing hangs."""
+    """Return the directions (cells, 2) of the loads, 0 without load."""
     size = np.hypot(*cells.force.T)
     return cells.force / np.maximum(size, 1e-9)[:, None] * (size > 0.0)[:, None]
 
 
 def _honest(evidence: Evidence, cells: Averages, terms: Terms) -> tuple[Array, Array]:
-    """Return what good calibrations show as well: columns (2 cells, any), and how much of each, N.
+    """Return the effects of correct calibrations: columns (2 cells, any), and their sizes, N.
 
-    How much: a standard deviation, infinite where anything may be. The last column is an arch: half
+    Size: a standard deviation, infinite if unbounded. The last column is an arch: half
     the hysteresis loop, which the mean of rising and falling readings may hold.
     """
     force = cells.force / float(np.abs(cells.force).max())
@@ -229,9 +230,9 @@ def _honest(evidence: Evidence, cells: Averages, terms: Terms) -> tuple[Array, A
 
 
 def _search(evidence: Evidence, cells: Averages) -> Found | None:
-    """Return the pattern that explains most, None where the readings tell none.
+    """Return the pattern that explains most, None without a significant one.
 
-    Cells that fit nothing weigh less (Huber), so that a single mistake makes no pattern.
+    Outlying cells weigh less (Huber), so that a single mistake makes no pattern.
     """
     tried = list(patterns(evidence, cells))
     columns = np.column_stack([one.column for one in tried])
@@ -259,11 +260,11 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
 
 
 def _fewer(pattern: Pattern, repeats: float) -> float:
-    """Return how many cells tell no more than one, by the share of readings that repeat.
+    """Return how many cells equal one independent one, by the share of repeated readings.
 
-    A display that repeats itself rounds a load and its opposite alike, so that fewer tell of a
-    load, and both bridges alike where it repeats nearly always; what changes from run to run it
-    blurs only there.
+    A coarse display rounds a load and its opposite alike, so that fewer cells are independent
+    for a load, and both bridges alike where nearly all repeat; changes between runs are blurred
+    only there.
     """
     often = 1.0 + repeats**2
     return often if pattern.bridges else (1.0 + repeats) * often
@@ -272,10 +273,10 @@ def _fewer(pattern: Pattern, repeats: float) -> float:
 def _left(
     evidence: Evidence, cells: Averages, terms: Terms, columns: Array, weights: Array
 ) -> tuple[Array, int]:
-    """Return what honest causes leave of the cells and of columns, and the degrees of freedom.
+    """Return the residuals of cells and columns after the honest effects; degrees of freedom.
 
-    The first column is of the cells; rows (2 cells and more) are weighted, the last are of what is
-    known of honest causes: each reads 0, with how much there may be as its standard deviation.
+    The first column is of the cells; rows (2 cells and more) are weighted, the last state
+    what is known of honest effects: value 0, with their size as standard deviation.
     """
     honest, much = _honest(evidence, cells, terms)
     known = np.flatnonzero(np.isfinite(much))
@@ -293,10 +294,10 @@ def _left(
 
 
 def _weights(rest: Array, weights: Array, noise: float) -> Array:
-    """Return Huber's weights of the cells from what is left of them, itself weighted.
+    """Return Huber's weights of the cells from their weighted residuals.
 
-    noise: the least standard deviation that is believed, N: else cells that contradict a pattern
-    would be put aside for it.
+    noise: lower bound of the standard deviation, N: else cells that contradict a pattern would
+    be discarded in its favour.
     """
     length = np.hypot(*rest[: 2 * len(weights)].reshape(-1, 2).T) / np.sqrt(weights)
     scale = max(noise, float(np.median(length)) / RAYLEIGH_MEDIAN)
@@ -349,10 +350,10 @@ def _named(evidence: Evidence, cells: Averages, found: Found) -> Problem:
 
 
 def _of_every_load(evidence: Evidence, size: float, words: str) -> Problem:
-    """Name what makes every load heavier (kg) alike.
+    """Return the problem of a mass (kg) common to all loads.
 
-    A dead zone and a hanger that is counted but does not hang leave the same readings: they are
-    told apart by how much it is, and by the hanger that is stated.
+    A dead zone, and a hanger counted but not hung, give the same readings: they are
+    distinguished by the size and by the stated hanger.
     """
     hanger = evidence.settings.weights.hanger_mass
     share = -size * evidence.newton_per_kg / evidence.settings.cell.full_scale
@@ -375,7 +376,7 @@ def _of_every_load(evidence: Evidence, size: float, words: str) -> Problem:
 
 
 def _without(evidence: Evidence, cells: Averages, found: Found) -> Evidence:
-    """Return the evidence as it would be without the mistake."""
+    """Return the evidence with the mistake removed."""
     readings, pattern = evidence.readings, found.pattern
     run, load = cells.of
     if not pattern.bridges:

@@ -42,7 +42,7 @@ from rigapp_calibration.taking.signals import (
 
 
 class PlanKind(enum.StrEnum):
-    """How much is taken."""
+    """Extent of a calibration."""
 
     DAILY = "daily check"
     ROUTINE = "routine"
@@ -50,18 +50,18 @@ class PlanKind(enum.StrEnum):
 
 
 PRELOAD_WAIT = 60.0
-"""Seconds that a preload hangs: ISO 376 wants 1 to 1.5 minutes."""
+"""Seconds that a preload hangs: ISO 376 requires 1 to 1.5 minutes."""
 HANDLING = 5.0
 PIECE = 4.0
 """Seconds that a technician needs for a step, and for each piece that is hung or taken off, for the
 estimate of the time left."""
 LAYOUT = 2
-"""Of the steps of a plan: journals of before have none written and are taken up in layout 1."""
+"""Version of a plan's steps: older journals state none and are resumed in layout 1."""
 CREEP_SERIES = "creep"
 AGAIN_APART = 0.25
-"""Of a turn between the angles that are taken again: both axes of the cell are."""
+"""Part of a turn between the repeated angles: includes both axes of the cell."""
 ANGLE_TOLERANCE = math.radians(5.0)
-"""The pin may stand so far from the plan's angle: what counts is the angle that is recorded."""
+"""Tolerance of the pin's angle to the plan: the recorded angle is used."""
 LEVEL = say(
     "Lay the level on the flat of the crank, turn the crank until the bubble is in the"
     " middle, and enter the angle that the encoder shows. Then turn the level end for"
@@ -71,9 +71,9 @@ LEVEL = say(
 
 @dataclass(frozen=True, slots=True)
 class PlanSize:
-    """The size of a plan: angles, how many of them again, loads up, preloads, waiting time (s).
+    """Size of a plan: angles, number of repeated ones, rising loads, preloads, waiting time (s).
 
-    What has descending series has the creep at its end: both tell how the cell follows a load.
+    Plans with falling series end with the creep: both characterise the response to a load.
     """
 
     angles: int
@@ -91,9 +91,9 @@ SIZES = {
     ),
     PlanKind.FULL: PlanSize(angles=12, loads=10, preloads=3, settle=30.0, descending=True, again=2),
 }
-"""Full is what ISO 376 asks (three preloads, loads up and down, 30 s), at angles of 30 degrees;
-routine, what tells all coefficients, cross terms included; daily, what tells a change of the cell.
-The first angles come again at the end: repeatability (ISO 376's b') and drift are told apart."""
+"""Full is what ISO 376 requires (three preloads, loads up and down, 30 s), at angles of 30 degrees;
+routine determines all coefficients, cross terms included; daily detects a change of the cell.
+The first angles are repeated at the end: repeatability (ISO 376's b') and drift are separated."""
 FORMER_SIZES = {
     **SIZES,
     PlanKind.ROUTINE: PlanSize(angles=4, loads=5, preloads=1, settle=30.0, descending=True),
@@ -104,15 +104,15 @@ FORMER_SIZES = {
 
 @lru_cache
 def _steps_of(plan: LoadCellPlan) -> tuple[Step, ...]:
-    """Return the steps of a plan: a page that tells of it asks at each key."""
+    """Return the steps of a plan; cached, since a page requests them at each key."""
     return tuple(plan._steps())
 
 
 @dataclass(frozen=True, slots=True)
 class LoadCellPlan:
-    """What is taken: how much, the heaviest load (kg), the laboratory's pieces (kg).
+    """Plan of a calibration: extent, heaviest load (kg), the laboratory's pieces (kg).
 
-    layout: by which the steps follow; a journal begun by a former version goes on in its own.
+    layout: version of the steps; a journal begun by a former version keeps its own.
     """
 
     kind: PlanKind
@@ -125,12 +125,12 @@ class LoadCellPlan:
         return _steps_of(self)
 
     def loads(self) -> tuple[tuple[float, ...], ...]:
-        """Return what hangs at each rising load, kg: pieces are only added from one to the next."""
+        """Return the mass at each rising load, kg: pieces are only added from one to the next."""
         return rising_loads(self.heaviest, SIZES[self.kind].loads, self.pieces)
 
     @property
     def size(self) -> PlanSize:
-        """Return how much is taken."""
+        """Return the extent."""
         return (SIZES if self.layout == LAYOUT else FORMER_SIZES)[self.kind]
 
     def _course(self) -> list[tuple[WeightChange, bool]]:
@@ -164,7 +164,7 @@ class LoadCellPlan:
         preload = (change_to(full, ()), PRELOAD_WAIT), (change_to((), full), size.settle)
         yield Step(StepKind.ANGLE_REFERENCE, LEVEL, handling=2.0 * HANDLING)
         for place in range(size.angles + size.again):
-            # A full turn on: what is set up a second time is another set-up of the same angle.
+            # One full turn later: a repeated angle is a separate set-up.
             angle = float(2.0 * np.pi * place / size.angles)
             if place >= size.angles:
                 angle = float(2.0 * np.pi * (1.0 + AGAIN_APART * (place - size.angles)))
@@ -218,7 +218,7 @@ class LoadCellPlan:
 
 
 def _handling(change: WeightChange) -> float:
-    """Return the seconds that a change at the hanger takes."""
+    """Return the seconds for a change at the hanger."""
     return HANDLING + PIECE * (len(change.add) + len(change.remove))
 
 
@@ -246,7 +246,7 @@ def _change_words(change: WeightChange) -> str:
 
 
 def wrong_angle(angle: float, step: Step) -> str:
-    """Return why a step cannot be done at a pin angle (rad), empty when it can."""
+    """Return why a step is impossible at a pin angle (rad), empty if it is possible."""
     if step.set_up is None or abs(math.remainder(angle - step.set_up, 2.0 * math.pi)) <= (
         ANGLE_TOLERANCE
     ):
@@ -277,18 +277,19 @@ WEIGHING = Method(
 
 
 def load_cell_readings(procedure: Procedure[LoadCellPlan]) -> LoadCellReadings:
-    """Return the readings that stand, in the order taken; those of the creep are left out."""
+    """Return the valid readings in the order taken, without those of the creep."""
     return LoadCellReadings(*procedure.columns(of=lambda step: not step.due))
 
 
 SPREAD_SHARE = 0.25
-"""Part of the cell's resolution that a steady signal may spread: below what a reading can tell."""
+"""Part of the cell's resolution that a steady signal may spread: below the resolution of a
+reading."""
 NOISE_SHARE = 0.6
-"""And of one sample's noise, which is about half the resolution: it is no swinging."""
+"""Part of one sample's noise, which is about half the resolution: less is not a swinging weight."""
 SLOPE_SHARE = 0.05
 """Part of the resolution by which a steady signal may change in a second: creep is slower."""
 FELT_SHARE = 0.3
-"""Of what hangs must be felt before plugs and the time under it count: else it does not hang."""
+"""Part of the load that must be measured before plugs and loading time are evaluated."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -305,14 +306,14 @@ class LoadCellWindow(SignalWindow):
     quadratic: Array | None = None
 
     def force(self, signal: Array) -> float:
-        """Return the size of the force (N) that the calibration in use makes of a signal (2,)."""
+        """Return the magnitude of the force (N) by the calibration in use of a signal (2,)."""
         return float(np.hypot(*forces(signal, self.matrix, self.zero, self.quadratic)[0]))
 
 
 def assess_load(
     window: LoadCellWindow, step: Step, resolution: float, since: float, wait: float
 ) -> Readiness:
-    """Judge a window for a step; resolution: of the cell, N; since, wait: see ``assess``."""
+    """Evaluate a window for a step; resolution: of the cell, N; since, wait: see ``assess``."""
     per_newton = 1.0 / max(float(np.sqrt(abs(np.linalg.det(window.matrix)))), 1e-12)
     return assess(
         window,
@@ -340,7 +341,7 @@ def _first(window: LoadCellWindow) -> Judgement | None:
 
 
 def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
-    """Judge where the pin stands, for a step at which nothing is read or where it stands wrong."""
+    """Evaluate the pin's position for a step without reading, or if the position is wrong."""
     assert window.angle is not None
     if step.kind is StepKind.ANGLE_REFERENCE:
         return SignalState.STEADY, say("the crank is stationary")
@@ -353,7 +354,7 @@ def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
 
 
 def _hangs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
-    """Judge whether the load is there from which on the time of a series counts."""
+    """Evaluate whether the load is applied, from which on the time of a series counts."""
     if step.kind is not StepKind.PRELOAD or not step.series:
         return None
     if window.force(signal) > FELT_SHARE * step.value * STANDARD_GRAVITY:
@@ -362,9 +363,9 @@ def _hangs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | Non
 
 
 def _plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
-    """Judge by the load that hangs whether the plugs are exchanged or turned, before it is taken.
+    """Evaluate by the applied load whether the plugs are exchanged or turned, before a reading.
 
-    The first preload tells it already, whatever calibration is in use.
+    The first preload suffices, whatever calibration is in use.
     """
     assert window.angle is not None
     expected = FELT_SHARE * step.value * STANDARD_GRAVITY
@@ -379,7 +380,7 @@ LARGEST_LEVEL_ERROR = math.radians(1.0)
 
 
 class LevelError(SentenceError, ValueError):
-    """Say why two readings cannot be of one level on one flat."""
+    """Two readings cannot be of one level on one flat; the text gives the reason."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -402,7 +403,7 @@ def single(shown: float, uncertainty: float) -> LevelReading:
 def reversed_level(first: float, second: float, setting: float) -> LevelReading:
     """Take two readings (rad), the level turned end for end between them.
 
-    setting: standard uncertainty of bringing the bubble to the middle once, rad; of the mean it is
+    setting: standard uncertainty of centring the bubble once, rad; of the mean it is
     1 / sqrt(2). Raises LevelError when the level would be off by more than a degree.
     """
     one, two = _near_zero(first), _near_zero(second)

@@ -28,22 +28,22 @@ from rigapp_calibration.taking.readings import (
 )
 
 FEWEST_LOADED = 12
-"""Twice the coefficients of the linear model: fewer leave no mistake to be seen."""
+"""Twice the coefficients of the linear model: with fewer, mistakes cannot be detected."""
 FEWEST_ANGLES = 4
-"""Each axis in both directions; three angles would tell A, but no wrong one among them."""
+"""Each axis in both directions; three angles determine A, but reveal no wrong angle."""
 FEWEST_COPIED = 4
-"""A series of so few readings may repeat another one."""
+"""A shorter series may repeat another one by chance."""
 BY_CHANCE = 1e-3
 """A series that repeats another one by chance less often was copied: one good calibration in a
 thousand that takes an angle twice would be refused."""
 LIGHTEST_SHARE = 2e-3
-"""Of what the cell may bear: with lighter weights its noise is all that is seen."""
+"""Part of the cell's limit: lighter weights are lost in its noise."""
 WIDEST_GAP = np.radians(130.0)
 """Four even angles leave gaps of 90 degrees; wider ones leave a direction without any load."""
 
 
 def check_readings(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
-    """Yield what makes readings or settings unusable whatever the fit says."""
+    """Yield problems that make readings or settings unusable for any fit."""
     columns = np.column_stack((readings.mass, readings.angle, readings.signal))
     yield from check_columns(readings.unused)
     yield from not_numbers(readings, columns)
@@ -171,13 +171,13 @@ def _dead_or_stuck(readings: LoadCellReadings) -> Iterator[Problem]:
                 axis + 1,
                 signal[0, axis],
             )
-    if not still.any():  # one signal alone repeats a series by chance
+    if not still.any():  # a constant signal repeats a series by chance
         yield from _copied(readings)
     yield from _duplicated(readings)
 
 
 def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Iterator[Problem]:
-    """Judge the signal at full scale where mass and force are right: is it in the unit written?"""
+    """Check the unit of the signal by its size at full scale, with mass and force as stated."""
     loaded = readings.mass > 0.0
     rows = loaded & np.isfinite(readings.signal).all(axis=1)
     if not rows.any() or loaded.all():
@@ -185,7 +185,7 @@ def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Ite
     at_rest = np.nanmedian(readings.signal[~loaded], axis=0)
     change = np.hypot(*(readings.signal[rows] - at_rest).T)
     force = weight_force(readings.mass[rows], settings.weights, settings.place)
-    # Of a cell with one dead bridge half of the readings tell: the upper quartile is one of them.
+    # With one dead bridge half of the readings are usable: the upper quartile is one of them.
     rated = float(np.percentile(change / force, 75.0)) * settings.cell.full_scale
     words = RATED_OUTPUT.objection(say("The signal at full scale"), rated)
     if words:
@@ -195,10 +195,10 @@ def _rated_output(readings: LoadCellReadings, settings: LoadCellSettings) -> Ite
 
 
 def _duplicated(readings: LoadCellReadings) -> Iterator[Problem]:
-    """Rows that stand in the table twice, every digit the same; step numbers that do.
+    """Yield rows that occur twice with equal digits, and repeated step numbers.
 
-    A coarse display repeats single readings of a second run that is numbered like the first; it is
-    no second run where all of them repeat.
+    A coarse display repeats single readings of a second run with the same numbers; if all
+    repeat, it is not a second run.
     """
     steps = list(zip(_runs_of(readings), readings.step.tolist(), strict=True))
     values = np.column_stack((readings.mass, readings.angle, readings.signal)).tolist()
@@ -236,7 +236,7 @@ def coarse(readings: LoadCellReadings) -> bool:
 
 
 def _copied(readings: LoadCellReadings) -> Iterator[Problem]:
-    """Two series with the same digits, where the cell's noise would have changed some."""
+    """Yield two series with the same digits, though noise would have changed some."""
     group = angle_groups(readings.angle)
     members = {name: np.flatnonzero(marks) for name, marks in each_series(readings.series)}
     alike = [

@@ -1,6 +1,6 @@
-"""Single readings and series that do not fit the others, named as what most likely happened.
+"""Single readings and series that deviate from the others, with the most likely mistake.
 
-Each check takes what it explains from the next: angle, order of the steps, swinging, cable, weight.
+Readings explained by one check are left out of the next: angle, order, swinging, cable, weight.
 """
 
 from __future__ import annotations
@@ -21,21 +21,21 @@ ANGLE_OFF = np.radians(0.5)
 the uncertainty holds; five times the 0.1 degrees of an encoder is a mistake."""
 
 FAR_OFF = np.radians(2.5)
-"""A gain of one bridge that changed by so much as to turn loads so far, 9 %, is seen otherwise."""
+"""A gain change of one bridge that turns loads this far, 9 %, is detected by another check."""
 MOST_OFF, FEW_OFF = 0.6, 0.2
-"""Share of the runs whose angles may be off; of those that are looked for first."""
+"""Share of the runs whose angles may be off; the second of those in the first search."""
 FEWEST_LEFT = 4
-"""Pin angles; fewer do not tell what else is wrong."""
+"""Pin angles; with fewer, other mistakes cannot be located."""
 SWINGS = 3.0
-"""Times the noise of all readings, which single wrong ones do not raise."""
+"""Factor of the noise of all readings, which is robust against single wrong ones."""
 NORMAL_MEDIAN = 0.6745
-"""Of the size of what has standard deviation 1."""
+"""Median of the magnitude of a normal variable of standard deviation 1."""
 FEWEST_SMOOTH = 6
-"""Loaded readings of a run that tell a curvature of two coefficients from one of them."""
+"""Loaded readings of a run needed to separate a curvature of two coefficients from an outlier."""
 
 
 def single_faults(evidence: Evidence) -> Iterator[Problem]:
-    """Yield what is wrong with single readings and series, one of each code."""
+    """Yield mistakes of single readings and series, one of each code."""
     explained: Marks = np.zeros(len(evidence.readings), dtype=np.bool_)
     for check in (_angle_off, _angle_of_one, _steps, _swinging, _loose_cable, _wrong_weight):
         yield from _few(list(check(evidence, explained)))
@@ -46,8 +46,7 @@ def single_faults(evidence: Evidence) -> Iterator[Problem]:
 def wrong_angles(evidence: Evidence) -> tuple[list[Problem], Evidence]:
     """Return angles that are off by far, and the evidence without their readings.
 
-    They are looked for before anything that changes from series to series: a load that is turned by
-    far looks like a changed gain.
+    Checked before changes between series: a load turned by far looks like a changed gain.
     """
     explained: Marks = np.zeros(len(evidence.readings), dtype=np.bool_)
     problems = _few(
@@ -62,8 +61,8 @@ def wrong_angles(evidence: Evidence) -> tuple[list[Problem], Evidence]:
 def swinging_series(evidence: Evidence) -> tuple[list[Problem], Evidence]:
     """Return series whose weight swung all the time, and the evidence without them.
 
-    They are off to and fro about their own line, along and across: looked for before anything that
-    changes from series to series, since chance makes a changed gain of them.
+    They scatter about their own line, along and across; checked before changes between series,
+    since by chance they look like a changed gain.
     """
     found, swung = evidence.loads, np.zeros(len(evidence.readings), dtype=np.bool_)
     problems, least = [], max(1.5 * _allowed(evidence), SWINGS * evidence.noise)
@@ -89,20 +88,20 @@ def swinging_series(evidence: Evidence) -> tuple[list[Problem], Evidence]:
 
 
 def _sure(evidence: Evidence) -> float:
-    """Return the difference (N) from which on a reading does not fit."""
+    """Return the difference (N) from which a reading counts as wrong."""
     return max(SURE * evidence.noise, 0.005 * float(evidence.loads.applied.max()))
 
 
 def _off(evidence: Evidence) -> tuple[Array, Array]:
-    """Return what readings differ by along and across their load, N."""
+    """Return the deviations of readings along and across their load, N."""
     return evidence.loads.along - evidence.loads.applied, evidence.loads.across
 
 
 def _along_only(evidence: Evidence) -> Marks:
-    """Tell which readings are off along their load, and little across it.
+    """Return which readings deviate along their load, and little across it.
 
-    A cell of third degree shifts every load of its run, which is no wrong one: a reading must be
-    off beside the rest of its run as well.
+    A cell of third degree shifts every load of its run, which is not a mistake: a reading must
+    also deviate from the rest of its run.
     """
     (off, across), sure = _off(evidence), _sure(evidence)
     wrong = (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
@@ -110,10 +109,10 @@ def _along_only(evidence: Evidence) -> Marks:
 
 
 def _beside(evidence: Evidence, off: Array, asked: Marks) -> Array:
-    """Return what readings are off beside the rest of their run, (n,) N; ``off`` of all others.
+    """Return the deviations of readings from the rest of their run, (n,) N; ``off`` of all others.
 
-    The rest tells a gain and a curvature, by Huber. What it tells of the heaviest load is less
-    sure: it counts in the scatter of a reading whose place it knows well.
+    The rest gives a gain and a curvature, by Huber. Its prediction of the heaviest load is less
+    certain: deviations are scaled to those of a well predicted reading.
     """
     beside, runs = off.copy(), evidence.loads.runs()
     share = evidence.loads.applied / evidence.loads.applied.max()
@@ -146,7 +145,7 @@ def _huber_line(rows: Array, values: Array, noise: float) -> tuple[Array, Array]
 def _angle_off(
     evidence: Evidence, explained: Marks, least: float = ANGLE_OFF, most: float = MOST_OFF
 ) -> Iterator[Problem]:
-    """A pin angle at which every load seems turned by the same amount.
+    """Yield a pin angle at which every load seems turned by the same amount.
 
     least: rad, that counts; most: share of the runs that may be off.
     """
@@ -184,7 +183,7 @@ def _angle_off(
 
 
 def _turn(evidence: Evidence, members: Marks) -> tuple[float, float] | None:
-    """Return (turn, its standard deviation) in rad of loads that are turned, else None."""
+    """Return (turn, its standard deviation) in rad of turned loads, else None."""
     found = evidence.loads
     power = float(np.sum(found.applied[members] ** 2))
     if np.count_nonzero(members) < 3 or power == 0.0:
@@ -201,12 +200,12 @@ def _turn(evidence: Evidence, members: Marks) -> tuple[float, float] | None:
     near = rest < max(SURE * evidence.noise, 3.0 * float(np.median(rest)))
     turned = np.exp(1j * (turns[near] - turn))
     turn += float(np.angle(np.sum(applied[near] ** 2 * turned)))
-    scatter = max(evidence.noise, float(np.median(rest)))  # of a weight that swings
+    scatter = max(evidence.noise, float(np.median(rest)))  # of a swinging weight
     return turn, scatter / np.sqrt(float(np.sum(applied[near] ** 2)))
 
 
 def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
-    """One reading whose written angle is not its neighbours', by as much as its load is turned."""
+    """Yield a reading whose written angle differs from its neighbours' as its load is turned."""
     found, readings = evidence.loads, evidence.readings
     sure = _sure(evidence)
     for index in np.flatnonzero((found.applied > 0.0) & ~explained):
@@ -243,7 +242,7 @@ def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 
 def _steps(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
-    """Readings that fit another step's mass than their own: skipped, repeated, swapped."""
+    """Yield readings that fit the mass of another step: skipped, repeated, swapped."""
     wrong = _along_only(evidence) & ~explained
     for _, marks in each_series(evidence.readings.series):
         members = np.flatnonzero(marks).tolist()
@@ -254,7 +253,7 @@ def _steps(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 def _shifted(
     evidence: Evidence, members: list[int], wrong: Marks, explained: Marks
 ) -> Iterator[Problem]:
-    """A run of readings that each fit the next (or previous) step's mass: a step was skipped."""
+    """Yield a run of readings that each fit the next (or previous) step's mass: a skipped step."""
     found, sure = evidence.loads, SURE * evidence.noise
     for shift, code, words in (
         (1, "skipped_step", say("a step was skipped there: each reading belongs to the next load")),
@@ -307,7 +306,7 @@ def _swapped(
 
 
 def _swinging(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
-    """A series in which the readings are off to and fro, along and across."""
+    """Yield a series whose readings scatter to and fro, along and across."""
     off, across = _off(evidence)
     size = np.hypot(off, across)
     for name, members in each_series(evidence.readings.series):
@@ -323,7 +322,7 @@ def _swinging(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 
 def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
-    """Readings far off in one signal alone, whatever the direction of the load."""
+    """Yield readings far off in one signal alone, whatever the direction of the load."""
     readings, (off, across) = evidence.readings, _off(evidence)
     scale = np.linalg.norm(evidence.found.sensitivity, axis=1)
     jump = np.abs(evidence.found.residual_signal) / scale
@@ -398,7 +397,7 @@ def _not_monotonic(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 
 def _scatter(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
-    """A series, or one reading, that scatters more than the cell can."""
+    """Yield a series, or one reading, that scatters more than the cell can."""
     size = np.hypot(*_off(evidence))
     readings, allowed = evidence.readings, _allowed(evidence)
     worst: tuple[float, str] = (0.0, "")
@@ -437,7 +436,7 @@ def _allowed(evidence: Evidence) -> float:
 
 
 def _few(problems: list[Problem]) -> list[Problem]:
-    """Keep the first of each code and say how many more there are."""
+    """Return the first problem of each code, with the number of the others."""
     kept: dict[str, Problem] = {}
     count: dict[str, int] = {}
     for problem in problems:

@@ -24,7 +24,7 @@ HUNG_COLUMN = "hung_s"
 
 @dataclass(frozen=True, slots=True)
 class HungReadings:
-    """Readings (k,) of a load that stays on: mass in kg, time under it in s, angle in rad."""
+    """Readings (k,) under a constant load: mass in kg, time under it in s, angle in rad."""
 
     mass: Array
     angle: Array
@@ -36,7 +36,7 @@ class HungReadings:
 class LoadCellReadings:
     """Dead-weight readings in the order taken; arrays of one length, angle in rad, mass in kg.
 
-    unused: the columns of their table that nothing reads. hung: of the creep, beside the others;
+    unused: ignored columns of their table. hung: of the creep, beside the others;
     None where there are none.
     """
 
@@ -53,7 +53,7 @@ class LoadCellReadings:
         return len(self.mass)
 
     def only(self, kept: Marks) -> LoadCellReadings:
-        """Return some of the readings."""
+        """Return the selected readings."""
         return replace(
             self,
             series=tuple(compress(self.series, kept)),

@@ -1,9 +1,8 @@
-"""What the readings of a calibration scatter, taken apart so that nothing counts twice.
+"""Scatter of the readings of a calibration, separated so that nothing counts twice.
 
-Each reading leaves the fit by the branch on which it lies (rising or falling: hysteresis, and what
-a straight line does not follow), by what its whole series has in common (zero, gain, angle) and by
-noise. Steps of the display are in the noise: they made the readings. What noise alone would show of
-branch, zero and gain is taken off.
+A residual consists of its branch (rising or falling: hysteresis and nonlinearity), of a part common
+to its series (zero, gain, angle) and of noise, steps of the display included. The contribution of
+noise to branch, zero and gain is subtracted.
 """
 
 from __future__ import annotations
@@ -19,12 +18,12 @@ from rigapp_calibration.load_cell.two_axis import Terms, TwoAxisFit, design, sup
 from rigapp_calibration.load_cell.zeros import Zeros
 
 FEWEST_LOADS = 3
-"""Loads that three shapes follow whatever they are; more tell something."""
+"""Three shapes fit so few loads exactly; more are needed."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Branches:
-    """How the rising and the falling readings leave the fit along the load.
+    """Deviations of the rising and the falling branch from the fit along the load.
 
     coefficients (b, 3), N, of 1, w and sin(pi w), w the load over the largest; covariance (b, 3, 3)
     by the noise; b is 2, or 1 of rising loads only. slope (3,): of the shapes at the rising loads.
@@ -37,14 +36,14 @@ class Branches:
     largest: float
 
     def points(self, load: float) -> tuple[float, ...]:
-        """Return the deviations at a load, N; what noise would show of them is taken off."""
+        """Return the deviations at a load, N, with the contribution of noise subtracted."""
         row = _shapes(np.array([min(load / self.largest, 1.0)]))[0]
         values = self.coefficients @ row
         noise = float(np.einsum("i,bij,j->", row, self.covariance, row))
         return tuple((_beyond(float(values @ values), noise) * values).tolist())
 
     def widest(self) -> float:
-        """Return the hysteresis where it is widest, N, noise taken off; 0 without both branches."""
+        """Return the largest hysteresis, N, noise subtracted; 0 without both branches."""
         if len(self.coefficients) < 2:
             return 0.0
         rows = _shapes(np.linspace(0.0, 1.0, 11))
@@ -53,7 +52,7 @@ class Branches:
         return math.sqrt(max(0.0, float(np.max(gap**2 - noise))))
 
     def gain(self) -> float:
-        """Return by how much the rising loads' own gain differs from the fit's, noise taken off.
+        """Return the difference of the rising branch's gain from the fit's, noise subtracted.
 
         Rising loads are the reference (ISO 376); the fit lies between them and the falling ones.
         """
@@ -72,7 +71,7 @@ class Scatter:
     with its degrees of freedom. steps: part of it that comes back at the same load and does not
     average out, as steps of the display in means do.
     zero_between, gain_between: of series, beyond the noise. drift: half the change of the zero
-    during the calibration, beyond the noise. zeros: what the unloaded readings tell. shown: the
+    during the calibration, beyond the noise. zeros: of the unloaded readings. shown: the
     loads determine all terms of second degree; falling: loads were read from above as well.
     """
 
@@ -91,14 +90,14 @@ class Scatter:
 
     @property
     def series(self) -> int:
-        """Return how many series tell."""
+        """Return the number of series."""
         return len(self.scores.scores)
 
 
 def scatter(found: TwoAxisFit, force: Array, seen: Loads, zeros: Zeros, per_run: float) -> Scatter:
-    """Take the residuals of a fit of loaded readings apart; force (n, 2) applied, N.
+    """Split the residuals of a fit of loaded readings; force (n, 2) applied, N.
 
-    per_run: how many zeros a run has.
+    per_run: number of zeros of a run.
     """
     across = seen.direction @ ACROSS
     largest, runs = float(seen.applied.max()), seen.runs()
@@ -155,7 +154,7 @@ def _slope(shapes: Array) -> Array:
 def _without_branches(
     residual: Array, rows: Array, shapes: Array, branches: list[Whole], direction: Array
 ) -> Array:
-    """Return residuals (n, 2) less what the branches leave in all series alike, N.
+    """Return residuals (n, 2) without the common part of the branches in all series, N.
 
     rows (n, p): the fit's, which has followed part of the branches.
     """
@@ -170,7 +169,7 @@ def _without_branches(
 
 
 def _comes_back(rest: Array, free: int, runs: Whole, load: Array) -> float:
-    """Return the standard deviation of what readings at one load of one series share, N.
+    """Return the standard deviation common to readings at one load of one series, N.
 
     Analysis of variance: between loads against within them; 0 where no load is taken twice.
     """
@@ -187,7 +186,7 @@ def _comes_back(rest: Array, free: int, runs: Whole, load: Array) -> float:
 
 
 def _branch_rows(seen: Loads) -> list[Whole]:
-    """Return the rows of the rising and of the falling branch, those with loads enough."""
+    """Return the rows of the rising and of the falling branch, if they have loads enough."""
     sides = [np.flatnonzero(seen.rising), np.flatnonzero(~seen.rising)]
     return [
         rows for rows in sides if len(np.unique(np.round(seen.applied[rows], 3))) > FEWEST_LOADS
@@ -203,17 +202,18 @@ def _between(scores: SeriesScores, power: int, noise: float, axes: slice) -> flo
 
 
 def _beyond(square: float, noise: float) -> float:
-    """Return the factor by which a root shrinks when the noise's part of its square goes."""
+    """Return the factor of a root after subtracting the noise's part of its square."""
     return math.sqrt(max(0.0, 1.0 - noise / square)) if square > 0.0 else 0.0
 
 
 FULL_LEVERAGE = 1e-6
-"""Part of a score, of the freest, that must be free to tell an error; below, the fit follows it."""
+"""Part of a score that must be free, relative to the freest, to show an error; else the fit follows
+it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SeriesScores:
-    """What J series tell of the errors of p coefficients of two axes, by m scores each.
+    """Errors of p coefficients of two axes estimated from J series, by m scores each.
 
     scores (J, m, 2): of the residuals, along and across the load, leverage corrected. covariance
     (2 m, 2 m): of those of the errors. influence (J, 2 p, 2 m): of the scores on the coefficients,
@@ -279,7 +279,7 @@ def series_scores(
     )
     scores = raise_up @ projected @ turn
     made = np.einsum("jab,jbkc->jakc", raise_up, blocks).reshape(count * m, count * m)
-    # Scores of residuals from scores of errors, both along and across the load of their series.
+    # Residuals' scores from errors' scores, both along and across the load of their series.
     made = np.einsum("jskt,jua,kub->jsaktb", made.reshape(count, m, count, m), turn, turn)
     made = made.reshape(count, 2 * m, count, 2 * m)
     influence = np.einsum("pq,jsq,jua->jupsa", bread, own, turn)
@@ -300,7 +300,7 @@ def series_scores(
 
 
 def _set_right(mean: Array, made: Array) -> tuple[Array, Array]:
-    """Return the covariance (s, s) of one series' errors, and that of all scores that follows.
+    """Return the covariance (s, s) of one series' errors, and the resulting one of all scores.
 
     mean: mean square of the residuals' scores. made (J, s, J, s): how they follow from the errors'.
     """
@@ -318,7 +318,7 @@ def _set_right(mean: Array, made: Array) -> tuple[Array, Array]:
 
 
 def _power(matrix: Array, exponent: float) -> Array:
-    """Return powers of symmetric matrices (..., s, s); of what is 0, 0."""
+    """Return powers of symmetric matrices (..., s, s); a zero eigenvalue stays 0."""
     values, vectors = np.linalg.eigh(matrix)
     least = FULL_LEVERAGE * np.maximum(values[..., -1:], 0.0)
     powers = np.where(values > least, np.maximum(values, 1e-300) ** exponent, 0.0)

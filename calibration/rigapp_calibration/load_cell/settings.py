@@ -1,4 +1,4 @@
-"""What must be known beside the readings: cell, weights, place, angle reference. SI."""
+"""Settings known besides the readings: cell, weights, place, angle reference. SI."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class CellSettings:
 
 @dataclass(frozen=True, slots=True)
 class Use:
-    """What changes between the calibration and a test; each a half width: at most so much.
+    """What changes between the calibration and a test; each as a half width.
 
     temperature: difference of the cell's temperature to that of the calibration, K. gain_per_kelvin
     relative; zero_per_kelvin: part of full scale, since the zero was taken last. creep: between
@@ -39,8 +39,8 @@ class Use:
     the calibration and in use, part of the load. angle: of the pin in use, rad (an eccentric
     encoder). largest: force in use, N, None for full scale. dead_zone: part of full scale that is
     held back of every load, by friction at the hanger. other_adapter: introduces the load in use.
-    zeroed: the zero is taken before a test, so that that of the calibration is not used. What no
-    reading of the calibration shows, parts of full scale: cross_terms f1 f2 at full scale, of each
+    zeroed: the zero is taken before a test, so that that of the calibration is not used. Not shown
+    by readings of the calibration, parts of full scale: cross_terms f1 f2 at full scale, of each
     bridge; nonlinearity, of the characteristic beyond the largest load; loop, the width of the
     hysteresis where no falling loads were read, or the cycles in use are longer.
     """
@@ -83,15 +83,15 @@ class LoadCellSettings:
 
 
 OVERLOADING = 1.2
-"""A cell bears so many times its full scale: the safe load that makers of such cells state."""
+"""Factor of full scale that a cell tolerates: the safe load stated by makers of such cells."""
 GRAVITY_FITS = 5e-4
-"""Relative: a stated gravity may differ by so much from what latitude and height give, since local
-anomalies reach some 1e-4 of it and a wrong latitude or height means more."""
+"""Relative tolerance of a stated gravity to that by latitude and height: local anomalies
+reach some 1e-4 of it; more means a wrong latitude or height."""
 
 
 @dataclass(frozen=True, slots=True)
 class Plausible:
-    """A range, why it ends there, and the units typed by mistake with their factor to its own."""
+    """A range with its reason, and the units typed by mistake with their factor to its own."""
 
     low: float
     high: float
@@ -100,7 +100,7 @@ class Plausible:
     others: tuple[tuple[str, float], ...]
 
     def objection(self, key: str, value: float) -> str:
-        """Return what is wrong with a value in one sentence; empty when nothing is."""
+        """Return the objection to a value in one sentence; empty without one."""
         if self.low <= value <= self.high:
             return ""
         meant = next(
@@ -143,8 +143,8 @@ AIR_DENSITY = Plausible(
 
 
 SIGNAL_UNIT = "mV/V"
-"""What the engine reads a strain-gauge cell in: bridge voltage over excitation. A record in another
-unit serves no rig."""
+"""Unit in which the engine reads a strain-gauge cell: bridge voltage over excitation. A record in
+another unit cannot be used by a rig."""
 RATED_OUTPUT = Plausible(
     0.05,
     4.5,
@@ -155,12 +155,12 @@ RATED_OUTPUT = Plausible(
     ),
     (("uV/V", 1e-3), ("V/V", 1e3)),
 )
-"""Signal at full scale. Its low end: a two-hundredth of that, a step of the resolution, is what a
-good amplifier's noise is."""
+"""Signal at full scale. Lower end: a two-hundredth of it, a step of the resolution, equals the
+noise of a good amplifier."""
 
 
 def impossible(settings: LoadCellSettings) -> Iterator[Problem]:
-    """Yield what cannot be true of cell, weights, air and place: no force is told by it."""
+    """Yield impossible values of cell, weights, air and place: no force can be computed."""
     unit = settings.cell.signal_unit
     if unit != SIGNAL_UNIT:
         yield refusal(
@@ -183,7 +183,7 @@ def impossible(settings: LoadCellSettings) -> Iterator[Problem]:
 
 
 def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
-    """Yield what cannot be true of weights, air and place, and what does not fit together."""
+    """Yield impossible or contradictory values of weights, air and place."""
     yield from impossible(settings)
     heaviest = heaviest_mass(settings)
     if settings.weights.hanger_mass > heaviest:
@@ -198,7 +198,7 @@ def check_settings(settings: LoadCellSettings) -> Iterator[Problem]:
 
 
 def heaviest_mass(settings: LoadCellSettings) -> float:
-    """Return the mass (kg) that the cell may bear at most."""
+    """Return the largest mass (kg) that the cell tolerates."""
     return OVERLOADING * settings.cell.full_scale / STANDARD_GRAVITY
 
 

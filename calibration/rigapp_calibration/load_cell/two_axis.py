@@ -16,20 +16,20 @@ from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 
 HUBER = 2.0
-"""Residuals longer than so many standard deviations of an axis lose weight: of honest readings one
-in seven (Rayleigh distribution), which costs little of their precision."""
+"""Residuals of more standard deviations of an axis lose weight: of good readings one in seven
+(Rayleigh distribution), which costs little of their precision."""
 LEAST_SHOWN = 0.08
-"""Of the largest force: of eight even angles and five loads f1 f2 shows by 0.2, of four within two
-degrees of the axes by 0.02."""
+"""Of the largest force: root mean square of f1 f2: 0.2 for eight even angles and five loads,
+0.02 for four within two degrees of the axes."""
 ITERATIONS = 30
-"""The weights settle in about ten; more only where the readings contradict each other."""
+"""The weights converge in about ten; more only if the readings contradict each other."""
 
 
 @dataclass(frozen=True, slots=True)
 class Terms:
-    """Say which terms the forward model has beside A and the zero.
+    """Terms of the forward model besides A and the zero.
 
-    own_zeros: the zero is no term, each series' own was taken off.
+    own_zeros: without the zero, since each series' own was subtracted.
     """
 
     quadratic: bool = False
@@ -44,12 +44,12 @@ class Terms:
 
 @dataclass(frozen=True, slots=True)
 class TwoAxisFit:
-    """Hold the result: coefficients (terms, 2), residuals.
+    """Result of a fit: coefficients (terms, 2), residuals.
 
     sensitivity: A (2, 2) signal per newton. matrix: its inverse, N per signal unit. zero: (2,)
     signal at no load, at the middle of the series. residual: (n, 2) in N. degrees: of freedom per
     axis. covariance (2 p, 2 p): of the coefficients, axis-major, as if all readings were
-    independent (``scatter`` knows better). rest: the zero, where it is no term of the fit.
+    independent (``scatter`` corrects this). rest: the zero, where the fit has none.
     """
 
     terms: Terms
@@ -77,7 +77,7 @@ class TwoAxisFit:
 
     @property
     def quadratic(self) -> Array | None:
-        """Return the coefficients (2, 3) of f1^2, f1 f2, f2^2, None when there are none."""
+        """Return the coefficients (2, 3) of f1^2, f1 f2, f2^2, or None."""
         first = 3 - self.terms.own_zeros
         return self.coefficients[first : first + 3].T.copy() if self.terms.quadratic else None
 
@@ -87,12 +87,12 @@ class TwoAxisFit:
         return float(np.sqrt(np.sum(self.residual**2) / (2 * self.degrees)))
 
     def force(self, signal: Array) -> Array:
-        """Return the forces (n, 2) that signals (n, 2) mean; quadratic terms by Newton steps."""
+        """Return the forces (n, 2) of signals (n, 2); quadratic terms by Newton steps."""
         return forces(signal, self.matrix, self.zero, self.quadratic)
 
 
 def forces(signal: Array, matrix: Array, zero: Array, quadratic: Array | None = None) -> Array:
-    """Return the forces (n, 2) that signals (n, 2) mean; quadratic terms (2, 3) by Newton steps.
+    """Return the forces (n, 2) of signals (n, 2); quadratic terms (2, 3) by Newton steps.
 
     matrix: inverse of A. The forward model is signal = A f + quadratic (f1^2, f1 f2, f2^2) + zero.
     """
@@ -150,9 +150,9 @@ def fit(force: Array, signal: Array, terms: Terms, weights: Array | None = None)
 
 
 def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, float]:
-    """Fit so that single wrong readings have little pull; return the fit and the noise in N.
+    """Fit robustly against single wrong readings; return the fit and the noise in N.
 
-    ``floor`` (N) is the smallest noise believed in (resolution / sqrt(12)). Quadratic terms are
+    ``floor`` (N): lower bound of the noise (resolution / sqrt(12)). Quadratic terms are
     used where the loads determine them: a cross term of a good cell is no wrong weight.
     """
     curved = Terms(quadratic=True)
@@ -164,7 +164,7 @@ def robust_fit(force: Array, signal: Array, floor: float) -> tuple[TwoAxisFit, f
 def huber_fit(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[TwoAxisFit, float]:
     """Fit with Huber weights on the residual's length; return the fit and its scale, N.
 
-    ``floor``: the smallest scale that the weights believe in, N.
+    ``floor``: lower bound of the scale for the weights, N.
     """
     rows = design(force, terms)
     found = fit(force, signal, terms)
@@ -189,7 +189,7 @@ def huber_fit(force: Array, signal: Array, floor: float, terms: Terms) -> tuple[
 
 
 def choose_terms(force: Array, signal: Array, rest: Array) -> tuple[TwoAxisFit, str]:
-    """Return the fit of loaded readings with the terms that they justify, and the reason in words.
+    """Return the fit of loaded readings with the justified terms, and the reason in words.
 
     signal (n, 2): less the own zeros of each series; rest (2,): the signals at no load. Quadratic
     terms are added when they lower the corrected Akaike criterion by more than 10 and an F test
@@ -211,21 +211,21 @@ def choose_terms(force: Array, signal: Array, rest: Array) -> tuple[TwoAxisFit, 
 
 
 def better_by(smaller: TwoAxisFit, larger: TwoAxisFit) -> float:
-    """Return by how much a larger model lowers Akaike's criterion, 0 where it is not justified."""
+    """Return by how much a larger model lowers Akaike's criterion, 0 if it is not justified."""
     gain = _akaike(smaller) - _akaike(larger)
     return gain if gain > 10.0 and _f_test(smaller, larger) > 0.975 else 0.0
 
 
 def enough(force: Array, terms: Terms) -> bool:
-    """Tell whether readings are many enough for the terms."""
+    """Return whether there are enough readings for the terms."""
     return len(force) > 2 * terms.count + 4
 
 
 def supported(force: Array, terms: Terms) -> bool:
-    """Tell whether readings are many enough for the terms, and determine them.
+    """Return whether there are enough readings for the terms, and they determine them.
 
-    Each combination of the terms, all in parts of the largest force, must show in the readings by
-    its root mean square: angles set by hand near the axes show f1 f2 by a few hundredths.
+    Each combination of the terms, in parts of the largest force, needs a minimum root mean
+    square: angles set by hand near the axes show f1 f2 by a few hundredths.
     """
     loaded = force[np.hypot(*force.T) > 0.0]
     if not enough(force, terms) or not len(loaded):
@@ -263,13 +263,13 @@ def _f_test(smaller: TwoAxisFit, larger: TwoAxisFit) -> float:
     return float(special.fdtr(more, rest, ratio))
 
 
-# The fit of records of the evaluations 1 and 2: one zero of all series, and its drift.
+# Fit of the records of evaluations 1 and 2: one zero for all series, and its drift.
 #
-# Kept so that these records still follow from their own readings; nothing new is fitted so.
+# Kept so that these records can be verified; not used for new fits.
 
 
 def common_zero_fit(force: Array, signal: Array, drift: bool | None = None) -> TwoAxisFit:
-    """Return the fit with the terms that the readings justify; drift: None leaves it to them."""
+    """Return the fit with the justified terms; drift: None lets the readings decide."""
     if drift is None:
         drift = _supported(force, Terms(drift=True))
     chosen = fit(force, signal, Terms(drift=drift))

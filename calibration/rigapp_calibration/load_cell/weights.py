@@ -17,7 +17,7 @@ from rigapp_calibration.arrays import Array
 
 REFERENCE_AIR_DENSITY = 1.2
 REFERENCE_MASS_DENSITY = 8000.0
-"""Of a conventional mass, kg/m^3 (OIML D 28)."""
+"""Reference density of a conventional mass, kg/m^3 (OIML D 28)."""
 STANDARD_GRAVITY = 9.80665
 """The standard acceleration of free fall, m/s^2 (CGPM 1901)."""
 
@@ -36,9 +36,9 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class WeightSet:
-    """What the weights are: how their mass is stated, density (kg/m^3), relative uncertainty.
+    """Properties of the weights: kind of mass, density (kg/m^3), relative uncertainty.
 
-    hanger_mass: mass (kg) that hangs at every loaded step beside the pieces. at_zero: mass (kg)
+    hanger_mass: mass (kg) at every loaded step besides the pieces. at_zero: mass (kg)
     that stays on the pin at the zeros as well, and is in no load.
     """
 
@@ -116,18 +116,18 @@ def pin_force(weight: ArrayLike, angle: ArrayLike, offset: float) -> Array:
 
 GRAM = 1e-3
 FEWEST_LOADS = 3
-"""Above zero: two tell neither a curvature nor a loop."""
+"""Number of loads above zero: two give neither a curvature nor a loop."""
 MOST_PIECES = 64
-"""The sums of so many pieces are found at once; no laboratory hangs more."""
+"""Limit of the search for all sums; no laboratory hangs more."""
 
 
 class PiecesError(SentenceError, ValueError):
-    """Say which load the laboratory's weights cannot make."""
+    """The laboratory's weights cannot make a load; the text names it."""
 
 
 @dataclass(frozen=True, slots=True)
 class WeightChange:
-    """Tell what to do at the hanger: masses (kg) to add and to take off, and what hangs then."""
+    """A change at the hanger: masses (kg) to add and to remove, and the resulting pieces."""
 
     add: tuple[float, ...]
     remove: tuple[float, ...]
@@ -135,12 +135,12 @@ class WeightChange:
 
     @property
     def mass(self) -> float:
-        """Return the mass of the pieces that hang then, kg."""
+        """Return the resulting mass of the pieces, kg."""
         return sum(self.hanging)
 
 
 def told_pieces(pieces: Iterable[float]) -> list[str]:
-    """Return the words for pieces (kg), heaviest first, equal ones together."""
+    """Return pieces (kg) in words, heaviest first, equal ones together."""
     ordered = sorted(Counter(pieces).items(), reverse=True)
     return [
         say("{} × {:g} kg", count, mass) if count > 1 else say("{:g} kg", mass)
@@ -151,7 +151,7 @@ def told_pieces(pieces: Iterable[float]) -> list[str]:
 def next_change(
     target: float, hanging: Sequence[float], available: Sequence[float], tolerance: float = 0.05
 ) -> WeightChange:
-    """Return the change at the hanger that brings the load nearest to ``target`` (kg).
+    """Return the change at the hanger whose load is nearest to ``target`` (kg).
 
     available: every piece of the set, those that hang included. Pieces that hang stay where that
     can make the target. Raises PiecesError when nothing comes within ``tolerance`` (kg).
@@ -186,7 +186,7 @@ def change_to(after: Sequence[float], before: Sequence[float]) -> WeightChange:
 
 
 def possible_loads(heaviest: float, steps: int, available: Sequence[float]) -> tuple[float, ...]:
-    """Return ``steps`` rising loads (kg) near equal shares of ``heaviest`` that can be made."""
+    """Return ``steps`` feasible rising loads (kg) near equal shares of ``heaviest``."""
     loads: list[float] = []
     for step in range(1, steps + 1):
         load = sum(_nearest(heaviest * step / steps, available))
@@ -214,7 +214,7 @@ def rising_loads(
 
 
 def _chain(heaviest: float, steps: int, largest: Sequence[float]) -> Iterator[tuple[float, ...]]:
-    """Yield what hangs at each step, up to the largest load's pieces."""
+    """Yield the pieces of each step, up to those of the largest load."""
     hanging: tuple[float, ...] = ()
     for step in range(1, steps + 1):
         rest, target = _beyond(largest, hanging), heaviest * step / steps
@@ -250,7 +250,7 @@ def _nearest(
 
 
 def _beyond(pieces: Sequence[float], others: Sequence[float]) -> tuple[float, ...]:
-    """Return the pieces that are not among the others, each counted as often as it is there."""
+    """Return the pieces without the others, as a difference of multisets."""
     return _sorted((Counter(pieces) - Counter(others)).elements())
 
 

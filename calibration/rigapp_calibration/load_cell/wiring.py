@@ -1,9 +1,9 @@
 """Wiring: plugs exchanged or turned, bridges dead; of all readings, or of some series.
 
-And the pin angles of two series written for each other, which looks much the same.
+Also the pin angles of two series interchanged, which looks similar.
 
-A run (a series at one pin angle) has one slope: what the two signals change by per newton. Wiring
-changes slopes by half of them and more, so that a tenth tells it from everything else.
+A run (a series at one pin angle) has one slope: the change of both signals per newton. Wiring
+changes slopes by half and more, so that a tenth distinguishes it from all else.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ from rigapp_calibration.load_cell.characteristics import Evidence
 from rigapp_calibration.problems import Problem, refusal
 
 FITS = 0.1
-"""Of the cell's sensitivity: a slope fits within a turn of six degrees and a gain of ten per cent;
-a plug exchanged at 30 degrees from where both bridges feel alike changes it by five times as much.
-"""
+"""Relative to the cell's sensitivity: a slope fits within a turn of six degrees and a gain of ten
+per cent; a plug exchanged at 30 degrees from equal load on both bridges changes it five times as
+much. """
 DEAD = 0.05
-"""Of the other bridge's largest slope: a cell's own cross-talk, which a dead bridge lacks too."""
+"""Relative to the other bridge's largest slope: below cross-talk, which a dead bridge lacks too."""
 APART = 0.5
-"""Sine between two directions of load that tell the sensitivity: 30 degrees, noise doubled."""
+"""Sine between two directions of load that determine the sensitivity: 30 degrees, noise doubled."""
 ROUND = 0.3
 """Smallest over largest singular value of a sensitivity: the bridges of a cell are alike."""
 FEWEST_RUNS = 4
-"""Two that tell the sensitivity, and as many to contradict them."""
+"""Two runs determine the sensitivity, and as many contradict them."""
 STRAY_RUNS = 5
-"""One run in so many may have another fault besides."""
+"""One run in this many may have another fault as well."""
 DIRECTION_FITS = 0.95
 DIRECTION_WRONG = 0.7
-"""Cosines: within 18 degrees a signal is what one wiring gives, from 45 degrees on what another."""
+"""Cosines: within 18 degrees a signal fits a wiring, from 45 degrees it fits another."""
 
 
 @dataclass(frozen=True, slots=True)
 class Wiring:
-    """One way to wire wrongly: signals = change (signals as they should be)."""
+    """A wiring mistake: signals = change (correct signals)."""
 
     code: str
     change: tuple[tuple[float, float], tuple[float, float]]
@@ -62,10 +62,10 @@ WIRINGS = tuple(_wirings())
 
 
 def told_by_one_load(change: Array, direction: Array) -> Problem | None:
-    """Judge the plugs by one load: change of the signals (2,), direction of the force (2,).
+    """Check the plugs by one load: change of the signals (2,), direction of the force (2,).
 
-    Bridges are alike, so that signals point as the force does. None where nothing is wrong, or
-    where the direction cannot tell (both bridges feel the load alike, or one of them nothing).
+    Bridges are alike, so that signals point as the force does. None without a mistake, or if the
+    direction is ambiguous (equal load on both bridges, or none on one).
     """
     size = float(np.hypot(*change) * np.hypot(*direction))
     if not size > 0.0 or float(change @ direction) / size > DIRECTION_WRONG:
@@ -79,7 +79,7 @@ def told_by_one_load(change: Array, direction: Array) -> Problem | None:
 
 
 def check_wiring(evidence: Evidence) -> Iterator[Problem]:
-    """Yield what is wired wrongly in some series; a bridge that is dead in all of them."""
+    """Yield wiring mistakes of some series, and a bridge that is dead in all of them."""
     run = evidence.loads.runs()
     force, signal = evidence.force, evidence.readings.signal
     slopes, directions, used = [], [], []
@@ -109,7 +109,7 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
     as_is = fitting[0]
     pair = np.flatnonzero(~as_is)
     if len(pair) == 2 and _exchanged(sensitivity, seen, towards, pair):
-        # Plugs that were moved stay so to the end, or were wrong from the start.
+        # Moved plugs stay so to the end, or were wrong from the start.
         to_the_end = fitting[1:, pair[0] :].all(axis=1)
         from_the_start = fitting[1:, : pair[1] + 1].all(axis=1)
         if not (to_the_end | from_the_start).any():
@@ -130,7 +130,7 @@ def check_wiring(evidence: Evidence) -> Iterator[Problem]:
 
 
 def _exchanged(sensitivity: Array, seen: Array, towards: Array, pair: Whole) -> bool:
-    """Tell whether two runs fit when each has the load direction of the other one."""
+    """Return whether two runs fit with interchanged load directions."""
     expected = towards[pair[::-1]] @ sensitivity.T
     return bool(np.all(np.hypot(*(expected - seen[pair]).T) < FITS * _size(sensitivity)))
 
@@ -168,10 +168,10 @@ def _slope(loads: Array, signal: Array) -> Array:
 
 
 def _best(seen: Array, towards: Array) -> tuple[Array, Marks]:
-    """Return the best sensitivity, and which runs fit as they are (row 0) and with each wiring.
+    """Return the best sensitivity, and which runs fit it as they are (row 0) and with each wiring.
 
-    Every two runs propose one. The best leaves no run unexplained, is that of a cell rightly wired,
-    and has most runs on its side as they are: in this order.
+    Every two runs propose one. Criteria in this order: no run unexplained, a correctly wired
+    cell, most runs that fit as they are.
     """
     changes = np.array([np.eye(2), *(one.change for one in WIRINGS)])
     best: tuple[tuple[int, bool, int], Array, Marks] | None = None
@@ -195,7 +195,7 @@ def _best(seen: Array, towards: Array) -> tuple[Array, Marks]:
 
 
 def _where(names: Sequence[str], wrong: Marks, may_be: Marks) -> str:
-    """Return in which series it is so; may_be: runs that look the same either way count with it."""
+    """Return the series concerned, in words; may_be: runs equal under both wirings count too."""
     first, last = (int(one) for one in np.flatnonzero(wrong)[[0, -1]])
     if first and may_be[first:].all():
         return say("From series {} on", names[first])

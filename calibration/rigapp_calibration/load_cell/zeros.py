@@ -1,9 +1,9 @@
-"""Zeros by series, and the weight of what turns with the pin, from the readings of no load.
+"""Zeros by series, and the weight of the turning parts, from the unloaded readings.
 
-A constant load that all readings share is no gain: signals of a series are taken relative to its
-own unloaded readings (ISO 376, ASTM E74). What is left of the zeros over the pin's angle is the
-weight of the pin outboard of its gauges, which pulls down whatever the angle: the zeros lie on a
-circle. Each run (a series at one pin angle) tells one zero, so that its readings count once.
+A constant load of all readings is not a gain: signals of a series are taken relative to its
+own unloaded readings (ISO 376, ASTM E74). The remaining change of the zeros over the pin's angle is
+the weight of the pin outboard of its gauges, which always pulls down: the zeros lie on a
+circle. Each run (a series at one pin angle) gives one zero, so that its readings count once.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from rigapp_calibration.arrays import Array, Marks, Whole
 
 DEGREES_PER_RUN = 2
 FEWEST_DEGREES = 2
-"""Fewer tell no scatter of the zeros, and with it no uncertainty of the weight."""
+"""Fewer give no scatter of the zeros, and so no uncertainty of the weight."""
 FEWEST_ALIKE = 4
 MOST_ALIKE = 0.6
-"""More is a drift that the zeros themselves report as one (``drift``)."""
+"""A higher correlation is a drift, which the zeros report as one (``drift``)."""
 ROUNDS = 20
 HUBER = 2.5
-"""Zeros that are further off than so many standard deviations lose weight: a jump of a cable is no
-weight of a pin."""
+"""Zeros off by more standard deviations lose weight: a jump of a cable is not the weight of a
+pin."""
 
 
 @dataclass(frozen=True, slots=True)
 class Zeros:
-    """What the zeros tell. own (n, 2): of its series at the time of each reading, signal.
+    """Result of the zeros. own (n, 2): zero of its series at the time of each reading, signal.
 
     rest (2,): signals at no load and without the pin's weight, in the middle of the calibration.
     rest_uncertainty (2,): standard, N. weight: of the pin as it acts where the loads hang, N, with
@@ -105,7 +105,7 @@ def examine_zeros(
 def _run_means(
     signal: Array, unloaded: Marks, run: Whole, down: Array
 ) -> tuple[Whole, Array, Array, Array]:
-    """Return of the runs with zeros: numbers, mean signals (k, 2), directions (k, 2), times."""
+    """Return number, mean signals (k, 2), directions (k, 2) and times of the runs with zeros."""
     runs = np.unique(run[unloaded])
     order = np.linspace(-0.5, 0.5, len(signal))
     marks = [unloaded & (run == number) for number in runs]
@@ -114,10 +114,10 @@ def _run_means(
 
 
 def _alike(rest: Array) -> float:
-    """Return what a covariance is too small by where zeros that follow each other are alike.
+    """Return the factor of a covariance for correlated successive zeros.
 
-    rest (k, 2): of the zeros about their fit, in the order of time. An amplifier that warms up
-    leaves no white noise: with a correlation r of neighbours, as of an autoregressive series of
+    rest (k, 2): of the zeros about their fit, in the order of time. The noise of a warming
+    amplifier is not white: with a correlation r of neighbours, as of an autoregressive series of
     first order, a slow wave in the zeros is known (1 + r) / (1 - r) times worse. Of few residuals
     about a line r comes out too small by (2 + 4 r) / k (Kendall 1954).
     """
@@ -139,7 +139,7 @@ def _huber(rows: Array, values: Array) -> tuple[Array, Array, float, int]:
         solution = np.linalg.lstsq(rows * root[:, None], values * root, rcond=None)[0]
         rest = values - rows @ solution
         scale = float(np.median(np.abs(rest))) / 0.6745 if degrees > 0 else 0.0
-        # Few values fit by themselves: their median says little of the scatter.
+        # Few values nearly fit by themselves: their median underestimates the scatter.
         scale = max(scale, 0.5 * float(np.sqrt(np.mean(rest**2))))
         new = np.sqrt(np.minimum(1.0, HUBER * scale / np.maximum(np.abs(rest), 1e-300)))
         if np.abs(new - root).max() < 1e-6:

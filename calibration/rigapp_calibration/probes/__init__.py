@@ -1,1 +1,1 @@
-"""Capacitance probes by micrometer steps: readings, line, checks, budget, how a pair stands."""
+"""Capacitance probes by micrometer steps: readings, line, checks, budget, alignment of a pair."""

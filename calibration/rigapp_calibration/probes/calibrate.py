@@ -1,4 +1,4 @@
-"""Calibrate a capacitance probe from micrometer steps: V = V0 + S d, and what it is worth."""
+"""Calibrate a capacitance probe from micrometer steps: V = V0 + S d, with its uncertainty."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ from rigapp_calibration.taking.uncertainty import (
 )
 
 FEWEST_FREE = 4
-"""Degrees of freedom of positions read again: fewer tell their noise worse than a curve does."""
+"""Degrees of freedom of repeated positions: fewer give the noise worse than a curve does."""
 KNOTS = 16
-"""Places of the range at which its nonlinearity is stated; between them it is smooth."""
+"""Points of the range at which its nonlinearity is stated; it is smooth in between."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class ProbeCalibration:
 
 
 def calibrate_probe(readings: ProbeReadings, settings: ProbeSettings) -> ProbeCalibration:
-    """Fit, check and judge; a calibration with a blocking problem is not accepted."""
+    """Fit, check and evaluate; a calibration with a blocking problem is not accepted."""
     problems = list(unusable(readings, settings))
     if blocked(problems):
         return ProbeCalibration(False, tuple(problems))
@@ -97,12 +97,12 @@ def _hysteresis(readings: ProbeReadings, residual: Array) -> float | None:
 
 @dataclass(frozen=True, slots=True)
 class _Scatter:
-    """What the residuals of a line hold, taken apart so that nothing counts twice; m.
+    """Components of the residuals of a line, separated so that nothing counts twice; m.
 
     noise: standard deviation of one reading, with its degrees of freedom. between: of positions,
-    beyond their noise and the nonlinearity. nonlinear: what the line leaves, by terms of second and
-    third degree, at even places of the range. drift: from the first to the last reading. What noise
-    alone would show of them is taken off.
+    beyond their noise and the nonlinearity. nonlinear: deviation from the line by terms of second
+    and third degree, at even points of the range. drift: from the first to the last reading. The
+    contribution of noise to them is subtracted.
     """
 
     noise: float
@@ -113,7 +113,7 @@ class _Scatter:
 
 
 def _scatter(readings: ProbeReadings, residual: Array) -> _Scatter:
-    """Take residuals (n,) of the straight line apart."""
+    """Split residuals (n,) of the straight line into components."""
     count, down = len(residual), falling(readings).astype(np.float64)
     others = np.column_stack((np.linspace(-0.5, 0.5, count), down - down.mean()))
     others = others[:, : 1 if down.min() == down.max() else 2]
@@ -124,13 +124,13 @@ def _scatter(readings: ProbeReadings, residual: Array) -> _Scatter:
     variance, between = left / free, 0.0
     steps, position = np.unique(np.round(readings.position, 9), return_inverse=True)
     if count - len(steps) - others.shape[1] >= FEWEST_FREE and len(steps) > 4:
-        # Positions that were read again tell noise from what belongs to them.
+        # Repeated positions separate noise from errors of the positions.
         own = np.column_stack((np.eye(len(steps))[position], others))
         _, inside, inside_free = _solved(own, residual)
         variance = inside / inside_free
         more = (left - inside) / (free - inside_free) - variance
         between, free = max(0.0, more) * len(steps) / count, inside_free
-    # Only what a straight line leaves of noise can look nonlinear.
+    # Only the part of noise that a straight line leaves can look nonlinear.
     line = np.linalg.qr(curve[:, :2])[0]
     shapes = np.vander(np.linspace(-1.0, 1.0, KNOTS), 4, increasing=True)
     gains = shapes @ np.linalg.pinv(curve)[:4]
@@ -146,7 +146,7 @@ def _scatter(readings: ProbeReadings, residual: Array) -> _Scatter:
 
 
 def _solved(rows: Array, values: Array) -> tuple[Array, float, int]:
-    """Return the least squares solution, the sum of squares that it leaves, degrees of freedom."""
+    """Return the least squares solution, its sum of squared residuals, degrees of freedom."""
     solution = np.asarray(np.linalg.lstsq(rows, values, rcond=None)[0], np.float64)
     rest = values - rows @ solution
     return solution, float(rest @ rest), max(1, len(values) - int(rows.shape[1]))
@@ -213,7 +213,7 @@ def _result(
 
 
 def _cylinder(readings: ProbeReadings, settings: ProbeSettings) -> tuple[float, float]:
-    """Return the gain at the middle of the range and what its change over the range makes, m."""
+    """Return the gain at the middle of the range and the effect of its change over the range, m."""
     if not (settings.target_radius and settings.sensor_radius and settings.gap_at_zero):
         return 1.0, 0.0
     sensor, target = settings.sensor_radius, settings.target_radius
@@ -226,7 +226,7 @@ def _cylinder(readings: ProbeReadings, settings: ProbeSettings) -> tuple[float, 
 
 
 def _off_axis(settings: ProbeSettings) -> float:
-    """Return what a motion across the axis reads on a cylindrical pin, y^2 / (2 R), m."""
+    """Return the reading by motion across a cylindrical pin's axis, y^2 / (2 R), m."""
     if not settings.target_radius:
         return 0.0
     return settings.off_axis**2 / (2.0 * settings.target_radius)
@@ -240,19 +240,19 @@ def apparent_gap(gap: ArrayLike, sensor_radius: float, target_radius: float) -> 
 
 
 def sensitivity_gain(gap: ArrayLike, sensor_radius: float, target_radius: float) -> Array:
-    """Return d(apparent gap)/d(gap): by how much the cylinder raises the sensitivity."""
+    """Return d(apparent gap)/d(gap): the factor of the sensitivity by a cylindrical target."""
     d = np.asarray(gap, dtype=np.float64)
     q = sensor_radius**2 / (2.0 * target_radius * d)
     return np.asarray(0.5 * (1.0 + (1.0 + 0.5 * q) / np.sqrt(1.0 + q)), dtype=np.float64)
 
 
 LARGEST_ANGLE = math.radians(15.0)
-"""A probe that is mounted by eye stands within five degrees; three times that is a mistake."""
+"""A probe mounted by eye is within five degrees; three times that is a mistake."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Alignment:
-    """How the probes stand, rad; each with its standard uncertainty.
+    """Orientation of the probes, rad; each with its standard uncertainty.
 
     angle (2,): of probe 1 against e2 and of probe 2 against n2, positive from e2 towards n2.
     orthogonality: angle between the probes less 90 degrees. matrix (2, 2): position of the pin in
@@ -269,7 +269,7 @@ class Alignment:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PairCalibration:
-    """Both probes and how they stand; alignment is None while a probe is refused."""
+    """Both probes and their alignment; alignment is None while a probe is refused."""
 
     probes: tuple[ProbeCalibration, ProbeCalibration]
     alignment: Alignment | None
@@ -284,7 +284,7 @@ class PairCalibration:
 def calibrate_pair(
     readings: tuple[ProbeReadings, ProbeReadings], settings: tuple[ProbeSettings, ProbeSettings]
 ) -> PairCalibration:
-    """Calibrate both probes and find how they stand; the problems name the probe."""
+    """Calibrate both probes and find their alignment; the problems name the probe."""
     one, two = (
         calibrate_probe(taken, given) for taken, given in zip(readings, settings, strict=True)
     )
@@ -312,10 +312,10 @@ def calibrate_pair(
 def align(
     readings: tuple[ProbeReadings, ProbeReadings], direction: tuple[float, float]
 ) -> Alignment:
-    """Return how the probes stand, from readings along e2 and along n2.
+    """Return the alignment of the probes, from readings along e2 and along n2.
 
     direction: standard uncertainty (rad) of the two motions' directions against the follower; no
-    reading shows an error of it, it only adds to the uncertainty.
+    reading shows its error, which only adds to the uncertainty.
     """
     along, across = readings
     assert along.other is not None
@@ -325,14 +325,14 @@ def align(
         straight_line(across.position, across.other)[1],
         straight_line(along.position, along.other)[1],
     ]
-    # The motions' directions are not known better than stated: they turn what the readings tell.
+    # The directions of motion are known only as stated: their errors rotate the result.
     one, two = (
         sign * seen / felt + GTC.ureal(0.0, doubt)
         for sign, seen, felt, doubt in zip((1.0, -1.0), other, own, direction, strict=True)
     )
     angles = [GTC.atan(tangent) for tangent in (one, two)]
     apart = angles[1] - angles[0]
-    # The inverse of ((1, one), (-two, 1)), by which the probes see the pin.
+    # Inverse of ((1, one), (-two, 1)), which maps the pin's position to the probes.
     area = 1.0 + one * two
     matrix = [[1.0 / area, -one / area], [two / area, 1.0 / area]]
     return Alignment(

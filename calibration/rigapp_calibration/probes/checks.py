@@ -1,4 +1,4 @@
-"""Checks of micrometer readings that name the mistake: what went wrong, at which step."""
+"""Checks of micrometer readings that name the mistake and its step."""
 
 from __future__ import annotations
 
@@ -21,23 +21,23 @@ from rigapp_calibration.taking.readings import (
 )
 
 GOOD_POSITIONS = 11
-"""With ten steps a curvature of the line stands out from what single positions are off."""
+"""With ten steps a curvature is distinguishable from errors of single positions."""
 LIMIT_OF_SPAN = 0.005
-"""Part of the span that backlash and drift may be."""
+"""Part of the span allowed for backlash and drift."""
 NONLINEAR = 0.01
-"""Part of the span by which the line may be curved: makers state linearities of 0.2 to 0.5 %."""
+"""Part of the span allowed for curvature: makers state linearities of 0.2 to 0.5 %."""
 SENSITIVITY_OFF = 0.3
 """Relative: a target or a cable changes it by less; the next range of an amplifier by more."""
 UNIT_OFF = 100.0
-"""Ratio from which on the unit is wrong: millimetres for micrometres are a factor of 1000."""
+"""Ratio from which the unit is wrong: millimetres for micrometres are a factor of 1000."""
 SHORT_SPAN = 5e-6
-"""Span (m) with which no probe changes by half a volt, unless millimetres are written."""
+"""Span (m) below which no probe changes by half a volt, unless millimetres are written."""
 OTHER_MOVES = 0.3
-"""Part of its own voltage that a crooked pair may show on the other probe."""
+"""Part of its own voltage that a misaligned pair may show on the other probe."""
 
 
 def unusable(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Problem]:
-    """Yield what makes a fit senseless."""
+    """Yield problems that make a fit useless."""
     columns = [readings.position, readings.signal]
     if readings.other is not None:
         columns.append(readings.other)
@@ -95,7 +95,7 @@ def _motion(readings: ProbeReadings, settings: ProbeSettings) -> Iterator[Proble
 
 
 def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -> Iterator[Problem]:
-    """Yield what is wrong with the steps, the cause first; its consequences are left out."""
+    """Yield mistakes in the steps, the cause first; its consequences are left out."""
     problems = list(_scale(readings, settings, line)) or [
         *_saturation(readings, settings),
         *_copies(readings),
@@ -119,7 +119,7 @@ def checks(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -
 
 
 def _scale(readings: ProbeReadings, settings: ProbeSettings, line: RobustLine) -> Iterator[Problem]:
-    """Yield what is wrong with all positions alike: unit, direction, sensitivity."""
+    """Yield mistakes common to all positions: unit, direction, sensitivity."""
     span, measured = float(np.ptp(readings.position)), 1e6 / line.slope
     expected = settings.nominal
     ratio = measured / (1e6 * expected) if expected else 1.0
@@ -183,7 +183,7 @@ def _copies(readings: ProbeReadings) -> Iterator[Problem]:
 
 
 def _rough(values: tuple[float, ...]) -> Marks:
-    """Tell which values are no round numbers: equal round numbers may be honest."""
+    """Return which values are not round numbers: equal round numbers may be genuine."""
     array = np.array(values)
     return np.asarray(np.abs(array * 1e3 - np.round(array * 1e3)) > 1e-6)
 
@@ -205,10 +205,10 @@ def _monotonic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
 
 
 def _systematic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
-    """Yield backlash, drift, curvature and a moving other probe: what all readings show a little.
+    """Yield backlash, drift, curvature and a moving other probe: small effects on all readings.
 
     Backlash is a step at the turning point, drift a ramp over the order taken, curvature a parabola
-    over the position: one least-squares fit tells them apart.
+    over the position: one least-squares fit separates them.
     """
     span = float(np.ptp(readings.position))
     offset, drift, curve, rest = systematic(readings)
@@ -250,9 +250,9 @@ def _systematic(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
 
 
 def systematic(readings: ProbeReadings) -> tuple[float, float, float, float]:
-    """Return backlash (falling less rising), drift over all readings, bending, and what is left.
+    """Return backlash (falling less rising), drift over all readings, curvature, residual.
 
-    All in m; what is left is a standard deviation.
+    All in m; the residual is a standard deviation.
     """
     position = readings.position - readings.position.mean()
     half = 0.5 * float(np.ptp(readings.position))
@@ -285,7 +285,7 @@ class RobustLine:
 
 
 def robust_line(position: Array, signal: Array) -> RobustLine:
-    """Fit a line that a few wrong readings do not bend (iteratively reweighted least squares)."""
+    """Fit a line robustly against a few wrong readings (iteratively reweighted least squares)."""
     weights = np.ones(len(position))
     slope, noise = 0.0, 0.0
     for _ in range(20):
@@ -355,7 +355,7 @@ def positions(readings: ProbeReadings, line: RobustLine) -> Iterator[Problem]:
 
 
 def _swapped(um: Array, step: float) -> bool:
-    """Tell whether of three residuals (um) the last two are one step up and one step down."""
+    """Return whether of three residuals (um) the last two are one step up and one step down."""
     first, second = um[1] - um[0], um[2] - um[0]
     return bool(abs(first - step) < 0.3 * abs(step) and abs(second + step) < 0.3 * abs(step))
 
@@ -389,9 +389,9 @@ def _wrong(readings: ProbeReadings, um: Array, at: int) -> Problem:
 
 
 def falling(readings: ProbeReadings) -> Marks:
-    """Tell which readings were reached coming back, within their series.
+    """Return which readings were taken in the falling direction, within their series.
 
-    A position that is read twice in a row at the turning point belongs to both ways.
+    A position that is read twice in a row at the turning point belongs to both directions.
     """
     count = len(readings.position)
     result = np.zeros(count, dtype=np.bool_)

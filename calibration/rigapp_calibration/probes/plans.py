@@ -1,8 +1,7 @@
 """The probe calibration as data: the micrometer set up before a probe, steps up and down.
 
-For one probe or one after the other for both. At every reading both probes are read: the one that
-must not move says whether the right one was moved, and how far the pair is turned against the
-micrometer.
+For one probe or one after the other for both. Both probes are read each time: the one at
+rest shows whether the right one was moved, and the angle of the pair against the micrometer.
 """
 
 from __future__ import annotations
@@ -36,19 +35,19 @@ from rigapp_calibration.taking.signals import (
 MOST_POSITIONS = 101
 """Steps of a hundredth of the range: a micrometer screw is no finer."""
 MOST_RUNS = 10
-"""More than these take a day; the temperature moves the probe more than they tell."""
+"""More runs take a day, in which temperature moves the probe by more than they gain."""
 SETTLE_S = 5.0
-"""The target stands still a second after the hand has left the screw; the filter takes the rest."""
+"""The target is at rest a second after the hand has left the screw; the filter takes the rest."""
 HANDLING_S = 15.0
 MOUNTING_S = 300.0
-"""Seconds that a technician needs for a step, and to set the micrometer up; for the time left."""
+"""Seconds for a step, and for setting the micrometer up; for the estimate of the time left."""
 OVERSHOOT = 0.5
-"""Part of a step by which the micrometer is turned past a position that is come back to."""
+"""Part of a step by which the micrometer overshoots a position approached from above."""
 
 
 @dataclass(frozen=True, slots=True)
 class ProbePlan:
-    """What is taken: probes (1, 2), largest position (m), positions, runs up and down."""
+    """Plan of a probe calibration: probes (1, 2), largest position (m), positions, runs."""
 
     probes: tuple[int, ...]
     reach: float
@@ -132,19 +131,20 @@ MEASURING = Method(
 
 
 def probe_readings(procedure: Procedure[ProbePlan], probe: int) -> ProbeReadings:
-    """Return the readings of a probe that stand, in the order taken."""
+    """Return the valid readings of a probe, in the order taken."""
     series, step, position, _, signal = procedure.columns(of=lambda step: step.set_up == probe)
     return ProbeReadings(series, step, position, signal[:, probe - 1], signal[:, 2 - probe])
 
 
 SPREAD_OF_RANGE = 0.002
-"""Part of the probe's range that a steady voltage may spread, beside the noise of its samples:
+"""Part of the probe's range that a steady voltage may spread, besides the noise of its samples:
 a tenth of the smallest fault that the checks name (a hundredth of the span)."""
 SLOPE_OF_RANGE = 2e-4
-"""Part of the range by which a steady voltage may change in a second: less than the checks tell in
-the time that a run takes."""
+"""Part of the range by which a steady voltage may change in a second: less than the checks detect
+in the time of a run."""
 NEAR_ZERO = 0.25
-"""Part of the range: a target that is set up so near to 0 V leaves room for the run either way."""
+"""Part of the range: a target set up this near to 0 V leaves room for the run in either
+direction."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -160,7 +160,7 @@ class ProbeWindow(SignalWindow):
 
 
 def assess_probe(window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
-    """Judge a window for a step; ``felt`` is the position (m) that the calibration in use shows.
+    """Evaluate a window for a step; ``felt``: position (m) by the calibration in use.
 
     since, wait: see ``assess``.
     """

@@ -14,18 +14,18 @@ from rigapp_calibration.taking.readings import (
 )
 
 FEWEST_POSITIONS = 5
-"""Fewer do not tell a curvature from a wrong position."""
+"""Fewer do not separate a curvature from a wrong position."""
 PROBE_COLUMNS = ("series", "step", "position_um", "signal_V")
 OTHER_COLUMN = "other_signal_V"
-"""Voltage of the probe that must not move, taken with each reading by the program itself."""
+"""Voltage of the probe at rest, recorded with each reading by the program itself."""
 
 
 @dataclass(frozen=True, slots=True)
 class ProbeReadings:
     """Micrometer readings in the order taken; position in m, signal in V.
 
-    other: voltage of the probe that is not calibrated, None where it was not read. unused: the
-    columns of their table that nothing reads.
+    other: voltage of the probe that is not calibrated, None where it was not read. unused: ignored
+    columns of their table.
     """
 
     series: tuple[str, ...]
@@ -55,12 +55,12 @@ def probe_table(rows: Rows) -> ProbeReadings:
 
 @dataclass(frozen=True, slots=True)
 class ProbeSettings:
-    """Gather the settings of a probe calibration; lengths in m.
+    """Settings of a probe calibration; lengths in m.
 
     target_radius: of the cylindrical pin, None for a flat target. sensor_radius: of the guarded
     sensing area. gap_at_zero: gap at the micrometer's zero, needed for the cylinder correction.
-    nominal: expected sensitivity, m/V with its sign, None when unknown. off_axis: how far the pin
-    moves across the probe's axis in use. direction: standard uncertainty (rad) of the direction in
+    nominal: expected sensitivity, m/V with its sign, None when unknown. off_axis: motion of the pin
+    across the probe's axis in use. direction: standard uncertainty (rad) of the direction in
     which the micrometer moves, against the follower's axis.
     """
 

@@ -1,1 +1,1 @@
-"""What all calibrations that are taken step by step share: readings as a table, steadiness."""
+"""Common parts of stepwise calibrations: readings as a table, steadiness."""

@@ -1,8 +1,8 @@
 """A calibration in progress, as a pure state machine: events in, state out.
 
-The wizard and the command line are thin faces of it. Every event is a small mapping that the caller
-appends to a journal at once; replaying the journal gives the state back, so that a calibration can
-be closed and taken up again. A reading can be rejected with a reason, never erased.
+The wizard and the command line are thin interfaces to it. Every event is a small mapping that the
+caller appends to a journal at once; replaying the journal restores the state, so that a calibration
+can be closed and resumed. A reading can be rejected with a reason, never erased.
 
 ::
 
@@ -10,7 +10,7 @@ be closed and taken up again. A reading can be rejected with a reason, never era
                     ^                          |
                     +----------reject----------+     (the reading's series is taken again)
 
-What is calibrated is data: the steps of a plan, and a ``Method`` that names them in the journal
+The calibration type is data: the steps of a plan, and a ``Method`` that names them in the journal
 (``rigapp_calibration.load_cell.plans``, ``rigapp_calibration.probes.plans``).
 """
 
@@ -32,11 +32,11 @@ Signals = Sequence[float] | Array
 
 
 class ProcedureError(SentenceError, ValueError):
-    """Say why an event is not possible now."""
+    """An event is not possible now; the text gives the reason."""
 
 
 class StepKind(enum.StrEnum):
-    """What the operator does in a step."""
+    """The operator's action in a step."""
 
     ANGLE_REFERENCE = "angle reference"
     SET_UP = "setting up"
@@ -46,10 +46,10 @@ class StepKind(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One step of a plan: what is done, and that in words.
+    """One step of a plan: the action, and its words.
 
-    set_up: what it is done at (the pin's angle in rad, a probe), None for none. value: what is set
-    (kg, m); pieces: of which weights it is made. series, number: name the reading in the record,
+    set_up: place of the step (the pin's angle in rad, a probe), None for none. value: to be set
+    (kg, m); pieces: weights that make it. series, number: name the reading in the record,
     empty where nothing is read. wait: s, after the last change; handling: s that a technician
     needs. falling: the value is reached from above. due: s after the last preload at which it is
     read, 0 where that does not matter. optional: its series can be left out.
@@ -70,7 +70,7 @@ class Step:
 
 
 class Plan(Protocol):
-    """What is taken."""
+    """Steps of a calibration."""
 
     def steps(self) -> tuple[Step, ...]:
         """Return the steps in the order taken; raise ValueError for an impossible plan."""
@@ -81,12 +81,12 @@ PlanType = TypeVar("PlanType", bound=Plan)
 
 @dataclass(frozen=True, slots=True)
 class Method(Generic[PlanType]):
-    """How a journal tells a calibration, and what may stand against a step.
+    """How a journal records a calibration, and what prevents a step.
 
-    told: of a plan, in the first event; plan: back from there, raising ProcedureError for a foreign
+    told: writes a plan to the first event; plan: reads it, raising ProcedureError for a foreign
     one. set_up, place, value: names of the event of a set-up, of what was set up, and of what was
-    set. wrongly: why a step cannot be done with what is set up, empty when it can. afresh: a
-    complete series that is taken again begins with its set-up, even where that still stands.
+    set. wrongly: why a step is impossible with the present set-up, else empty. afresh: a
+    complete series that is repeated begins with its set-up, even if that is unchanged.
     """
 
     told: Callable[[PlanType], Event]
@@ -103,7 +103,7 @@ class TakenReading:
     """One reading as taken: number of its step, signals, their spread, when (UTC s).
 
     value, place: what was set (kg, m), and at what it was set up (rad, a probe). hung: s since the
-    preload, of a step that is due then. rejected: why it does not count, empty while it stands.
+    preload, of a step that is due then. rejected: the reason, empty while it is valid.
     """
 
     step: int
@@ -120,7 +120,7 @@ class TakenReading:
 class Procedure(Generic[PlanType]):
     """The state of a calibration: steps in the order taken, the present one, all readings.
 
-    left_out: the series that the operator did without.
+    left_out: the series that the operator skipped.
     """
 
     method: Method[PlanType] = field(repr=False)
@@ -135,7 +135,7 @@ class Procedure(Generic[PlanType]):
 
     @property
     def done(self) -> bool:
-        """Tell whether every step has been taken."""
+        """Return whether every step has been taken."""
         return self.position >= len(self.steps)
 
     @property
@@ -147,12 +147,12 @@ class Procedure(Generic[PlanType]):
 
     @property
     def instruction(self) -> str:
-        """Return what the operator does now, as a technician would say it."""
+        """Return the instruction for the present step, in a technician's words."""
         return say("All readings are taken. Look at the result.") if self.done else self.step.words
 
     @property
     def progress(self) -> str:
-        """Return where the calibration stands: step n of N, time left."""
+        """Return the progress: step n of N, time left."""
         count = len(self.steps)
         left = duration_words(self.steps[self.position :])
         return say("step {} of {}, {} left", min(self.position + 1, count), count, left)
@@ -171,14 +171,14 @@ class Procedure(Generic[PlanType]):
         return next((one for one in reversed(self.events) if one["event"] == name), None)
 
     def standing(self, *, of: Callable[[Step], bool]) -> list[tuple[Step, TakenReading]]:
-        """Return the readings that stand, of some steps, in the order taken."""
+        """Return the valid readings of selected steps, in the order taken."""
         pairs = ((self.steps[one.step], one) for one in self.taken if not one.rejected)
         return [(step, one) for step, one in pairs if of(step)]
 
     def columns(
         self, *, of: Callable[[Step], bool]
     ) -> tuple[tuple[str, ...], Whole, Array, Array, Array]:
-        """Return series, step (n,), value, place and signals (n, 2) of readings that stand."""
+        """Return series, step (n,), value, place and signals (n, 2) of the valid readings."""
         kept = self.standing(of=of)
         return (
             tuple(step.series for step, _ in kept),
@@ -198,9 +198,9 @@ class Procedure(Generic[PlanType]):
         return self.step
 
     def reference(self, offset: float, uncertainty: float, shown: Sequence[float] = ()) -> Self:
-        """Take the result of the angle reference step, rad.
+        """Record the result of the angle reference step, rad.
 
-        shown: what the encoder showed, twice when the level was turned end for end.
+        shown: encoder readings, two when the level was turned end for end.
         """
         self._expect(StepKind.ANGLE_REFERENCE)
         if not (np.isfinite(offset) and np.isfinite(uncertainty) and uncertainty >= 0.0):
@@ -210,7 +210,7 @@ class Procedure(Generic[PlanType]):
         return self._go_on({"event": "reference", **told})
 
     def set_up(self, place: float | None = None) -> Self:
-        """Take note that all is set up for the step: at a place, or just at the step's."""
+        """Record that the set-up is complete: at a place, or at the step's own."""
         step = self._expect(StepKind.SET_UP)
         at = step.set_up if place is None else place
         wrong = "" if at is None else self.method.wrongly(at, step)
@@ -219,12 +219,12 @@ class Procedure(Generic[PlanType]):
         return self._go_on({"event": self.method.set_up, self.method.place: at})
 
     def exercised(self, time: float | None = None) -> Self:
-        """Take note that a preload has hung for its time, until when (UTC s)."""
+        """Record that a preload has hung for its time, with its end (UTC s)."""
         self._expect(StepKind.PRELOAD)
         return self._go_on({"event": "exercised", **({} if time is None else {"time": time})})
 
     def leave_out(self) -> Self:
-        """Do without the series under way; what was read of it does not count."""
+        """Skip the series under way; its readings do not count."""
         if not self.step.optional:
             raise ProcedureError("this step cannot be left out")
         series = self.step.series
@@ -233,7 +233,7 @@ class Procedure(Generic[PlanType]):
         return after._go_on(event, left_out=self.left_out | {series})
 
     def again(self, reason: str) -> Self:
-        """Begin the series under way again; what was read of it does not count."""
+        """Restart the series under way; its readings do not count."""
         series = self.step.series
         start = next(i for i, step in enumerate(self.steps) if step.series == series)
         event = {"event": "again", "reason": reason}
@@ -249,9 +249,9 @@ class Procedure(Generic[PlanType]):
         place: float | None = None,
         hung: float = 0.0,
     ) -> Self:
-        """Take the reading of the present step; raise ProcedureError when it cannot be one.
+        """Record the reading of the present step; raise ProcedureError when it is not possible.
 
-        value, place: what was set and where, in place of the step's. hung: s since the preload.
+        value, place: as set, instead of the step's. hung: s since the preload.
         """
         step = self._expect(StepKind.READING)
         reading = TakenReading(
@@ -288,7 +288,7 @@ class Procedure(Generic[PlanType]):
         """Reject the reading number ``index`` (from 0) with a reason; its series is taken again.
 
         The other readings of the series are rejected with it, since their order counts. Between two
-        series, and at the end, any series can be rejected; the others stand.
+        series, and at the end, any series can be rejected; the others stay valid.
         """
         words = " ".join(reason.split())
         if not words:
@@ -315,9 +315,9 @@ class Procedure(Generic[PlanType]):
         return replace(self, position=start, taken=taken, events=(*self.events, event))
 
     def back(self, reason: str) -> Self:
-        """Take the newest reading that stands again, with a reason; the others of its series stay.
+        """Repeat the newest valid reading, with a reason; the others of its series stay.
 
-        One more call goes one more step back. Not past a set-up: what hung before it is gone.
+        Each call goes one step further back, but not past a set-up: its load is gone.
         """
         words = " ".join(reason.split())
         if not words:
@@ -334,14 +334,14 @@ class Procedure(Generic[PlanType]):
         return replace(self, position=last, taken=taken, events=(*self.events, event))
 
     def note(self, text: str) -> Self:
-        """Keep a remark of the operator beside the readings; it changes no step."""
+        """Record a remark of the operator beside the readings; it changes no step."""
         words = " ".join(text.split())
         if not words:
             raise ProcedureError("the note is empty; write what was noticed")
         return replace(self, events=(*self.events, {"event": "note", "text": words}))
 
     def _rejected(self, series: str, words: str) -> Self:
-        """Return the state in which no reading of a series stands."""
+        """Return the state without valid readings of a series."""
         taken = tuple(
             replace(one, rejected=words)
             if self.steps[one.step].series == series and not one.rejected
@@ -351,14 +351,14 @@ class Procedure(Generic[PlanType]):
         return replace(self, taken=taken)
 
     def _stands_for(self, step: Step) -> bool:
-        """Tell whether the rig is still set up for a step of a series that is taken again."""
+        """Return whether the rig is still set up for a step of a repeated series."""
         if self.method.afresh:
             return self.under_way == step.series
         told = self.told(self.method.set_up)
         return told is not None and bool(told[self.method.place] == step.set_up)
 
     def _go_on(self, event: Event, **changes: Any) -> Self:
-        """Return the state after an event: at the next step that is still to be done."""
+        """Return the state after an event, at the next open step."""
         after = replace(self, events=(*self.events, event), **changes)
         standing = {one.step for one in after.taken if not one.rejected}
         position = self.position + 1
@@ -367,9 +367,9 @@ class Procedure(Generic[PlanType]):
         return replace(after, position=position)
 
     def _wanted(self, position: int, standing: set[int]) -> bool:
-        """Tell whether a step is still to be done: no reading of it, or of what it is for, stands.
+        """Return whether a step is open: it, or the series it serves, has no valid reading.
 
-        A preload with a series is for that one, other steps are for all at their set-up.
+        A preload with a series serves that one, other steps serve all at their set-up.
         """
         step = self.steps[position]
         if step.series in self.left_out:
@@ -386,12 +386,12 @@ class Procedure(Generic[PlanType]):
 
 
 def time_needed(steps: Iterable[Step]) -> float:
-    """Return the seconds that the steps take a technician."""
+    """Return the seconds that a technician needs for the steps."""
     return sum(step.wait + step.handling for step in steps)
 
 
 def duration_words(steps: Iterable[Step]) -> str:
-    """Return the time that the steps take a technician, in words."""
+    """Return the time that a technician needs for the steps, in words."""
     hours, minutes = divmod(math.ceil(time_needed(steps) / 60.0), 60)
     return f"{hours} h {minutes} min" if hours else f"{minutes} min"
 
@@ -403,7 +403,7 @@ def begin(method: Method[PlanType], plan: PlanType) -> Procedure[PlanType]:
 
 
 def take_up(method: Method[PlanType], events: Iterable[Event]) -> Procedure[PlanType]:
-    """Return the procedure that a journal tells; raise ProcedureError where it makes no sense."""
+    """Restore a procedure from its journal; raise ProcedureError for an inconsistent one."""
     procedure: Procedure[PlanType] | None = None
     for number, event in enumerate(events, 1):
         try:

@@ -1,4 +1,4 @@
-"""Readings as taken, whatever is calibrated: a CSV table of series and steps."""
+"""Readings of any calibration: a CSV table of series and steps."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from rigapp_calibration.arrays import Array, Marks, Whole
 from rigapp_calibration.problems import Problem, note, refusal
 
 LARGEST = 1e12
-"""No quantity of these tables comes near: a larger number is a slip of exponent or comma."""
+"""Far above any quantity of these tables: a larger number has a wrong exponent or comma."""
 LARGEST_STEP = 1_000_000_000
-"""So that a step is surely a whole number in double precision and in int64."""
+"""Limit up to which a step is a whole number in double precision and in int64."""
 
 
 class ReadingsError(SentenceError, ValueError):
-    """Say which column or line of the readings cannot be used, and what to do."""
+    """A column or line of the readings is unusable; the text names it and the remedy."""
 
 
 class Stepwise(Protocol):
-    """Readings of anything: each belongs to a series and has a step number in it."""
+    """Readings of any kind: each belongs to a series and has a step number in it."""
 
     @property
     def series(self) -> tuple[str, ...]:
@@ -38,18 +38,18 @@ class Stepwise(Protocol):
 
 
 def place_of(readings: Stepwise, index: int) -> str:
-    """Return where a reading stands, in words."""
+    """Return the place of a reading, in words."""
     return say("series {}, step {}", readings.series[index], readings.step[index])
 
 
 def each_series(names: Sequence[str]) -> Iterator[tuple[str, Marks]]:
-    """Yield each series in the order taken: its name, and which readings (n,) are of it."""
+    """Yield each series in the order taken: its name, and a mask (n,) of its readings."""
     for name in dict.fromkeys(names):
         yield name, np.array([one == name for one in names], dtype=np.bool_)
 
 
 def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
-    """Yield which reading has a value that is no number; columns (n, any)."""
+    """Yield the reading with a value that is not a number; columns (n, any)."""
     bad = np.flatnonzero(~np.isfinite(columns).all(axis=1))
     if len(bad):
         more = say(" (and {} more)", len(bad) - 1) if len(bad) > 1 else ""
@@ -58,14 +58,14 @@ def not_numbers(readings: Stepwise, columns: Array) -> Iterator[Problem]:
 
 
 FEWEST_OF_A_RUN = 3
-"""So many steps from the first number on are another run, fewer are a number written twice."""
+"""Steps from the first number on that count as another run; fewer are a repeated number."""
 
 
 def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Problem]:
-    """Yield what is wrong with the column ``step``: a number twice, out of order, one left out.
+    """Yield mistakes in the column ``step``: repeated, out of order, left out.
 
-    runs (n): what belongs together (a series, at one pin angle). A run that begins again at its
-    first number and goes on is another one.
+    runs (n): the run of each reading (a series, at one pin angle). Starting again at the first
+    number makes another run.
     """
     steps = readings.step.tolist()
     twice = numbered_twice(runs, steps)
@@ -107,7 +107,7 @@ def check_steps(readings: Stepwise, runs: Sequence[Hashable]) -> Iterator[Proble
 
 
 def numbered_twice(runs: Sequence[Hashable], steps: Sequence[int]) -> int | None:
-    """Return the index of a reading whose step number its run has already, None when there is none.
+    """Return the index of a reading whose step number is repeated in its run, or None.
 
     runs: see ``check_steps``.
     """
@@ -121,7 +121,7 @@ def numbered_twice(runs: Sequence[Hashable], steps: Sequence[int]) -> int | None
 
 
 def _runs(runs: Sequence[Hashable], steps: Sequence[int]) -> Iterator[list[int]]:
-    """Yield the indices of each run in the order taken; one that begins again is another."""
+    """Yield the indices of each run in the order taken; a restarted one is another."""
     members: dict[Hashable, list[int]] = {}
     for index, run in enumerate(runs):
         members.setdefault(run, []).append(index)
@@ -137,7 +137,7 @@ def _runs(runs: Sequence[Hashable], steps: Sequence[int]) -> Iterator[list[int]]
 
 
 def check_columns(unused: tuple[str, ...]) -> Iterator[Problem]:
-    """Yield a note on columns of the table that nothing reads: one may be misspelt."""
+    """Yield a note on ignored columns of the table: one may be misspelt."""
     if unused:
         names = joined(", ", unused)
         yield note(
@@ -204,11 +204,11 @@ def read_table(text: str, columns: Sequence[str]) -> list[Row]:
 
 
 SEPARATORS = {";": "semicolons", "\t": "tabs", "|": say("vertical bars")}
-"""What spreadsheets put between fields in place of a comma, and what it is called."""
+"""Separators of spreadsheets other than the comma, with their names."""
 
 
 def _refuse_other_separator(header: str) -> None:
-    """Raise ReadingsError where the header's fields stand between something else than commas."""
+    """Raise ReadingsError if the header's fields are not separated by commas."""
     separator = max(SEPARATORS, key=header.count)
     if separator in header:
         raise ReadingsError(
@@ -219,7 +219,7 @@ def _refuse_other_separator(header: str) -> None:
 
 
 def unused_columns(rows: Rows, columns: Sequence[str]) -> tuple[str, ...]:
-    """Return the columns of a table beside those named; one without name and content is none."""
+    """Return the other columns of a table; one without name and content is ignored."""
     names = [name for name in rows[0][1] if name not in columns]
     return tuple(
         name or say("one without a name")
@@ -241,7 +241,7 @@ def _step(line: int, row: Mapping[str, Any]) -> int:
 
 
 def numbers(rows: Rows, name: str) -> Array:
-    """Return a column; NaN for what is written as infinite or as no number."""
+    """Return a column; NaN for infinite values and for text."""
     values = np.empty(len(rows))
     for index, (line, row) in enumerate(rows):
         try:

@@ -1,4 +1,4 @@
-"""Live readings: the signals of the last seconds, and whether the step under way can be taken."""
+"""Live readings: the signals of the last seconds, and whether the present step can be taken."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from rigapp.texts import say
 from rigapp_calibration.arrays import Array
 
 WINDOW_S = 3.0
-"""Signals are judged over so long: a weight that swings at 0.7 Hz shows two periods."""
+"""Length of an evaluated window: a weight that swings at 0.7 Hz shows two periods."""
 LISTEN_S = WINDOW_S + 1.0
-"""So much is asked for, since a mean may come late."""
+"""Requested duration; longer than needed because a mean may arrive late."""
 WHOLE_S = 0.9 * WINDOW_S - 0.1
-"""From so long on a window counts as whole: its ends are means of 50 ms, and one may be missing."""
+"""Length of a complete window: its ends are means of 50 ms, and one may be missing."""
 FEWEST_SAMPLES = 20
 """Means of 50 ms over a second: spread and slope are then known within some 15 %."""
 
 
 class SignalState(enum.StrEnum):
-    """How a window of signals looks: a word, for which a face chooses a shape."""
+    """State of a window of signals; user interfaces choose a shape for it."""
 
     WAITING = "waiting"
     MOVING = "moving"
@@ -33,14 +33,14 @@ class SignalState(enum.StrEnum):
 
 
 Judgement = tuple[SignalState, str]
-"""How it looks, and why, in words for the operator."""
+"""State and reason, in words for the operator."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class SignalWindow:
     """The signals of the last seconds. time (n,) s of the device; signal (n, 2) signal units.
 
-    stands: the crank does not turn. noise_share: 1 / sqrt(samples in each mean).
+    stands: the crank is stationary. noise_share: 1 / sqrt(samples in each mean).
     """
 
     time: Array
@@ -56,7 +56,7 @@ class SignalWindow:
 
 @dataclass(frozen=True, slots=True)
 class Steadiness:
-    """Whether a window is steady, or why not: its mean (2,), and what it spreads."""
+    """Whether a window is steady, or why not; its mean (2,) and spread."""
 
     steady: bool
     reason: str
@@ -68,7 +68,7 @@ class Steadiness:
 class Readiness:
     """Whether the step under way can be taken now, and why not in words for the operator.
 
-    felt: what the calibration in use makes of the signals, SI. left: of the waiting time, s.
+    felt: value by the calibration in use, SI. left: of the waiting time, s.
     """
 
     state: SignalState
@@ -79,14 +79,14 @@ class Readiness:
 
     @property
     def ready(self) -> bool:
-        """Tell whether the step can be taken."""
+        """Return whether the step can be taken."""
         return self.state is SignalState.STEADY
 
 
 def judge(
     time: ArrayLike, signal: ArrayLike, spread_limit: float, slope_limit: float
 ) -> Steadiness:
-    """Judge a window of signals (n, 2) at times (s).
+    """Evaluate the steadiness of signals (n, 2) at times (s).
 
     spread_limit: largest standard deviation about a straight line; slope_limit: largest change a
     second; both in signal units. A swinging weight fails by its spread, a creeping or still moving
@@ -124,13 +124,13 @@ def assess(
     felt: Callable[[Array], float],
     unsteady: str = "",
 ) -> Readiness:
-    """Judge a window for a step.
+    """Evaluate a window for a step.
 
-    since: device time (s) of the last change; only what came after it counts. wait: seconds that
-    must pass after it. spread, slope: the most that steady signals spread, and change a second, in
-    signal units. first: what stands against it before any signal is looked at. set_up: the
-    judgement of a step at which nothing is read, None of one at which something is. felt: what the
-    calibration in use makes of a mean (2,). unsteady: what is said in place of how it moves.
+    since: device time (s) of the last change; only later signals count. wait: seconds after it.
+    spread, slope: limits of steady signals, signal units and signal units per second. first:
+    objection that takes precedence over any signal. set_up: judgement of a step without reading,
+    None for one with. felt: value of a mean (2,) by the calibration in use. unsteady: words for
+    unsteady signals instead of those of their motion.
     """
     fresh = window.time > since
     time, signal = window.time[fresh], window.signal[fresh]

@@ -1,9 +1,9 @@
 """An uncertainty budget after the GUM: contributions, combined (JCGM 100), expanded (JCGM 101).
 
-What is normal, or estimated from scatter, combines to a t distribution with the Welch-Satterthwaite
-degrees of freedom. Where bounded contributions (rectangular, two-point) are added, the factor for
-95 % is that of the convolved distributions: 1.96 would cover too little of two branches and too
-much of an interval.
+Normal contributions, and those estimated from scatter, combine to a t distribution with the
+Welch-Satterthwaite degrees of freedom. Where bounded contributions (rectangular, two-point) are
+added, the factor for 95 % is that of the convolved distributions: 1.96 would cover too little of
+two branches and too much of an interval.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from rigapp_calibration.coverage import COVERAGE, NORMAL_FACTOR
 Evaluation = Literal["A", "B"]
 Distribution = Literal["normal", "rectangular", "two-point"]
 FINEST = 1e-3
-"""Part of the combined uncertainty by which bounded parts are blurred at least: far below what an
-uncertainty is known to; it keeps the integral short."""
+"""Part of the combined uncertainty by which bounded parts are blurred: far below any known
+uncertainty; it keeps the integral short."""
 REACH = 6.0
 """Standard deviations of a normal part beyond which its characteristic function is 0 (1e-8)."""
 
@@ -36,7 +36,7 @@ class Contribution:
 
     evaluation: A from the scatter of these readings, B from elsewhere. distribution: two-point for
     a deviation of either sign that takes one of some values, ``points`` (one of two branches).
-    averages: it is of one reading and falls with the root of their number.
+    averages: it belongs to one reading and falls with the root of their number.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Contribution:
 
 
 def at_most(name: str, size: float, evaluation: Evaluation = "B") -> Contribution:
-    """Return the line of what is off by at most so much, either way."""
+    """Return the contribution of an error of at most ``size``, either way."""
     return Contribution(name, size / math.sqrt(3.0), math.inf, evaluation, "rectangular")
 
 
@@ -64,7 +64,7 @@ def straight_line(x: Array, y: Array) -> tuple[Any, Any]:
     """Return intercept and slope of the line through points as GTC's uncertain numbers.
 
     Their uncertainties are those of ordinary least squares, correlated, with n - 2 degrees of
-    freedom: whatever follows from them by arithmetic carries its own.
+    freedom: results of arithmetic with them carry their own uncertainty.
     """
     found = type_a.line_fit(x.tolist(), y.tolist()).a_b
     return found.a, found.b
@@ -74,7 +74,7 @@ def straight_line(x: Array, y: Array) -> tuple[Any, Any]:
 class Budget:
     """The uncertainty at one value, in its unit: contributions, combined, coverage, expanded.
 
-    degrees: effective degrees of freedom, infinite where nothing was estimated from few readings.
+    degrees: effective degrees of freedom, infinite if nothing was estimated from few readings.
     """
 
     value: float
@@ -85,12 +85,12 @@ class Budget:
     expanded: float
 
     def of_mean(self, readings: float) -> Budget:
-        """Return the budget of a mean of so many readings (``inf``: only what does not average)."""
+        """Return the budget of a mean of readings (``inf``: only what does not average)."""
         return combine(self.value, self.contributions, readings)
 
 
 def combine(value: float, lines: tuple[Contribution, ...], readings: float = 1.0) -> Budget:
-    """Combine contributions to a mean of so many readings; the coverage factor gives 95 %."""
+    """Combine contributions to a mean of readings; the coverage factor gives 95 %."""
     total = GTC.constant(value)
     sizes = [
         line.uncertainty / math.sqrt(readings) if line.averages else line.uncertainty
@@ -105,7 +105,7 @@ def combine(value: float, lines: tuple[Contribution, ...], readings: float = 1.0
 
 
 def _factor(lines: Sequence[Contribution], sizes: Sequence[float], combined: float) -> float:
-    """Return the expanded over the combined uncertainty; sizes: as they count here."""
+    """Return the ratio of expanded to combined uncertainty; sizes: of the contributions."""
     free, bounded = GTC.constant(0.0), []
     for line, size in zip(lines, sizes, strict=True):
         if line.distribution == "normal":
@@ -116,13 +116,13 @@ def _factor(lines: Sequence[Contribution], sizes: Sequence[float], combined: flo
     own = float(reporting.k_factor(float(GTC.dof(free)) if spread > 0.0 else math.inf))
     if not bounded:
         return own
-    # Widened so that 95 % of it alone is right.
+    # Widened so that the interval is right for a single such contribution.
     normal = max(spread * own / NORMAL_FACTOR, FINEST * combined)
     return _half_width(normal, bounded) / combined
 
 
 def _half_width(normal: float, bounded: Sequence[Contribution]) -> float:
-    """Return the half width that holds 95 % of a normal part and bounded parts.
+    """Return the half width that contains 95 % of a normal part and bounded parts.
 
     P(|x| < U) = 2/pi integral of sin(U t)/t times the characteristic function; by the trapezoidal
     rule, exact to the mass beyond half its period.

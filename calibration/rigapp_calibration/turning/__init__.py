@@ -1,1 +1,1 @@
-"""What is calibrated while the spindle turns: the pin's run-out, and the cell by known inertia."""
+"""Calibrations with a turning spindle: run-out of the pin, load cell by a known inertia force."""

@@ -1,16 +1,16 @@
-"""Map of the pin's run-out from a slow roll: what the probes see though the pin rests in its seat.
+"""Map of the pin's run-out from a slow roll, while the pin rests in its seat.
 
-Whole slow revolutions are developed in Fourier orders 1 ... N of the crank angle, each probe for
-itself, revolution by revolution. The mean over the revolutions is the map, their spread its
-uncertainty. The mean value of a probe over the turn is where the pin rests; it is no run-out that
-could be told from that, so the map has none.
+Whole slow revolutions are developed in Fourier orders 1 ... N of the crank angle, each probe
+separately, revolution by revolution. The mean over the revolutions is the map, their spread its
+uncertainty. The mean value of a probe over the turn is the seat of the pin, indistinguishable from
+run-out, so the map has none.
 
-What one roll cannot tell from run-out: every motion of the pin in the follower that repeats each
-turn. Inertia moves it with the square of the speed; rolls at two speeds or more are extrapolated to
-speed 0, map = roll - c speed^2. Elasticity moves it into the bushing with the force: where a turn
-tells by how much, that is taken off it, so that the map holds at any load. A changing direction of
-the load moves it too: rolls under different loads show it, and what differs between them is part of
-the uncertainty.
+Indistinguishable from run-out in one roll: every motion of the pin in the follower that repeats
+each turn. Inertia moves it with the square of the speed; rolls at two speeds or more are
+extrapolated to speed 0, map = roll - c speed^2. Elasticity moves it into the bushing with the
+force: where known, that is subtracted from a turn, so that the map holds at any load. A
+changing direction of the load moves it too: rolls under different loads show it, and what differs
+between them is part of the uncertainty.
 """
 
 from __future__ import annotations
@@ -30,35 +30,35 @@ FEWEST_REVOLUTIONS = 5
 GOOD_REVOLUTIONS = 10
 """Revolutions whose spread is a standard uncertainty: known within 35 % of five, 24 % of ten."""
 FASTEST = 2.0 * math.pi * 15.0 / 60.0
-"""Crank speed (rad/s) above which inertia moves the pin too much to speak of a slow roll."""
+"""Crank speed (rad/s) above which inertia moves the pin too much for a slow roll."""
 OVER = 1.02
-"""Times that: a drive that is set to it may turn so much faster on the average."""
+"""Factor of that: a drive set to this speed may turn so much faster on average."""
 MOST_ORDERS = 32
-"""Finer than the probes' sensing area on the pin can see."""
+"""Finer structures are smaller than the probes' sensing area on the pin."""
 SAMPLES_PER_ORDER = 16
-"""Eight samples a half wave: what lies above does not fold into the orders."""
+"""Eight samples per half wave: higher frequencies do not alias into the orders."""
 GRID = 360
 LARGE = 100e-6
-"""Ten times what a pin ground between centres runs out by, m."""
+"""Ten times the usual run-out of a pin ground between centres, m."""
 UNSTEADY = 0.2
 BETWEEN = 0.25
-"""Parts of the map by which a roll may change, and rolls may differ, before it is told: correcting
-with the map still removes three quarters of the run-out."""
+"""Parts of the map by which a roll may change, and rolls may differ, before it is reported: the map
+still removes three quarters of the run-out."""
 DISTINCT = 1.3
-"""Ratio of the fastest to the slowest roll from which the speed's part can be told."""
+"""Ratio of the fastest to the slowest roll from which the effect of speed is separable."""
 MODEL = 0.3
-"""Relative standard uncertainty of that part: that it grows with the square is a model."""
+"""Relative standard uncertainty of that effect: growth with the square is a model."""
 
 
 class RunOutError(SentenceError, ValueError):
-    """Say why no map can be made at all."""
+    """No map can be made; the text gives the reason."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SlowRevolution:
     """One whole slow revolution. angle (n,) crank angle, rad; probes (2, n), m; saturated.
 
-    elastic (2, n): how elasticity moves the pin under the force, as the probes see it, m; or None.
+    elastic (2, n): elastic motion of the pin under the force, at the probes, m; or None.
     """
 
     number: int
@@ -79,10 +79,10 @@ class Roll:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Harmonics:
-    """What one revolution showed: coefficients (2, 2 N) as cos 1, sin 1, cos 2 ...; rest (2,), m.
+    """Orders of one revolution: coefficients (2, 2 N) as cos 1, sin 1, cos 2 ...; rest (2,), m.
 
-    elastic (2, 2 N): what was taken off as elastic motion. rest: standard deviation of what the
-    orders do not explain.
+    elastic (2, 2 N): subtracted elastic motion. rest: standard deviation not explained by the
+    orders.
     """
 
     roll: int
@@ -133,10 +133,10 @@ def spread_at(covariance: Array, angle: Array) -> Array:
 
 
 def make_map(rolls: Sequence[Roll], orders: int, elastic_doubts: Sequence[Array] = ()) -> RunOutMap:
-    """Develop slow revolutions into a map of ``orders`` orders and judge it.
+    """Develop slow revolutions into a map of ``orders`` orders and check it.
 
     elastic_doubts: a matrix (2, 2) for each independent error of the elastic motion; times the
-    motion it is one standard uncertainty. Raises RunOutError where there is nothing to develop.
+    motion it is one standard uncertainty. Raises RunOutError without usable revolutions.
     """
     if not 1 <= orders <= MOST_ORDERS:
         raise RunOutError("orders: choose 1 to {}", MOST_ORDERS)
@@ -155,9 +155,9 @@ def map_of_harmonics(
     elastic_doubts: Sequence[Array] = (),
     problems: Sequence[Problem] = (),
 ) -> RunOutMap:
-    """Make the map of revolutions that are developed already; speeds: of the rolls, rad/s.
+    """Make the map of developed revolutions; speeds: of the rolls, rad/s.
 
-    problems: what was found in the samples. The rest is as ``make_map`` says.
+    problems: of the samples. The rest is as for ``make_map``.
     """
     part = _combine(harmonics, speeds, elastic_doubts)
     grid = np.linspace(0.0, 2.0 * math.pi, GRID, endpoint=False)
@@ -203,7 +203,7 @@ def _develop(roll: int, turn: SlowRevolution, orders: int) -> Harmonics:
     """Return the orders of one revolution by least squares, its mean and its drift left out.
 
     The angles need not be evenly spaced; a straight drift over the turn (temperature) is fitted as
-    well, since it would look like all odd and even sines.
+    well, since it would appear in all sine orders.
     """
     turned = (turn.angle - turn.angle.mean()) / (2.0 * math.pi)
     design = np.column_stack((_basis(turn.angle, orders), np.ones_like(turned), turned))
@@ -217,7 +217,7 @@ def _develop(roll: int, turn: SlowRevolution, orders: int) -> Harmonics:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Combined:
-    """The map with its covariance, the part of it from within the rolls, and what was taken off."""
+    """The map with its covariance, the part of it within the rolls, and the subtracted motion."""
 
     coefficients: Array
     covariance: Array
@@ -263,7 +263,7 @@ def _combine(
 
 
 def _largest(parts: Sequence[Array], grid: Array) -> Array:
-    """Return the largest value (2,) that any of some maps has anywhere."""
+    """Return the largest value (2,) of any of some maps."""
     values = [np.abs(evaluate(part, grid)).max(axis=1) for part in parts]
     return np.asarray(np.max(values, axis=0), np.float64)
 

@@ -5,8 +5,8 @@ cell outward with m r w^2. Force on the follower by the pin has the opposite sig
 
     force_1 = - m r w^2,    force_2 = 0,
 
-constant in the crank frame. The slowest speed is the zero; what the faster ones differ from it must
-be the known term within the uncertainty. It is the one check of the calibration that turns.
+constant in the crank frame. The slowest speed is the zero; the difference of the faster ones must
+equal the known term within the uncertainty. It is the only check with a turning spindle.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ LEAST_REVOLUTIONS = 5
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """What is known beforehand.
+    """Known values.
 
     m r (kg m) and its relative standard uncertainty; of the cell the resolution (N) and the
     relative standard uncertainty of a force.
@@ -61,7 +61,7 @@ class Comparison:
 
     @property
     def agrees(self) -> bool:
-        """Tell whether both components agree within the expanded uncertainty."""
+        """Return whether both components agree within the expanded uncertainty."""
         return max(abs(m - k) for m, k in zip(self.measured, self.known, strict=True)) <= (
             self.expanded
         )
@@ -69,7 +69,7 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class RunningCheck:
-    """The result. moment: m r (kg m) as the cell tells it, with its expanded uncertainty."""
+    """The result. moment: m r (kg m) by the cell, with its expanded uncertainty."""
 
     accepted: bool
     problems: tuple[Problem, ...]
@@ -80,7 +80,7 @@ class RunningCheck:
 
 
 def running_check(runs: Sequence[SpeedRun], known: Known) -> RunningCheck:
-    """Compare what the speeds change with the known term; raise ValueError below two speeds."""
+    """Compare the change over the speeds with the known term; raise ValueError below two speeds."""
     order = sorted(runs, key=lambda run: float(run.speed.mean()) if len(run.speed) else 0.0)
     if len(order) < 2:
         raise ValueError(say("two speeds are the least: the slowest is the zero"))
