@@ -120,7 +120,7 @@ def entry_of(
 
 
 def judged_by(check: DailyCheck) -> dict[str, Any]:
-    """Return the rule that judged a check: U along, across and of the zero, N, and in words."""
+    """Return the rule that evaluated a check: U along, across and of the zero, N, and in words."""
     names = ("along", "across", "zero")
     return {
         "expanded_uncertainty_N": dict(zip(names, check.expanded, strict=True)),
@@ -140,7 +140,7 @@ def append_check(store: Path, entry: Mapping[str, Any]) -> None:
 
 
 def read_history(store: Path, rig: str | None = None) -> DailyHistory:
-    """Read a store and judge the checks since the last change of the calibration.
+    """Read a store and evaluate the checks since the last change of the calibration.
 
     rig: only of this rig; None for the one of the last check. Raises UnusableInput.
     """
@@ -161,7 +161,7 @@ def read_history(store: Path, rig: str | None = None) -> DailyHistory:
 
 
 def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
-    """Return the charts of the last check's values; a zero is judged by its allowed range."""
+    """Return the charts of the last check's values; a zero is compared with its allowed range."""
     last = entries[-1]
     charts = {}
     for name, charted in CHARTED.items():
@@ -173,7 +173,7 @@ def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
             charts[name] = Chart(np.array(values), charted.promised, last["zero_allowed_N"])
         else:
             judged = chart(values, charted.promised, last["expanded_uncertainty_ratio"])
-            # A level that is off shows in all of them: the check reports it, the cell is right.
+            # A level error shows in all of them: the check reports it, the cell is right.
             charts[name] = replace(judged, findings=()) if last.get("turned_deg") else judged
     return charts
 
@@ -348,7 +348,7 @@ def draw(history: DailyHistory, words: str = "") -> Figure:
 Item = tuple[str, str, Sequence[tuple[Record, Sequence[Change]]]]
 """Kind, name, and the records, oldest first, each with its as-found changes."""
 MOST_TICKS = 6
-"""Dates that fit beside each other below a chart."""
+"""Maximum number of dates below a chart."""
 
 
 def write_trend(items: Sequence[Item], to: Path) -> None:

@@ -1,4 +1,4 @@
-"""The journal of a calibration under way: every event is on the disk before it counts."""
+"""Journal of a calibration under way: every event is committed before it counts."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rigapp.texts import say
 class Journal:
     """Append events as JSON lines, each forced to the disk; one writer at a time.
 
-    A last line without its end was cut off while it was written and never confirmed; it is removed
+    An incomplete last line was interrupted while written and never confirmed; it is removed
     when the journal is resumed.
     """
 
@@ -34,7 +34,7 @@ class Journal:
             )
 
     def read(self) -> list[dict[str, Any]]:
-        """Return the events so far; raise UnusableInput for a line that is no event."""
+        """Return the events so far; raise UnusableInput for an invalid line."""
         with open(self._file, "rb", closefd=False) as stream:
             stream.seek(0)
             data = stream.read()
@@ -58,7 +58,7 @@ class Journal:
         return events
 
     def append(self, event: Mapping[str, Any]) -> None:
-        """Write one event to the disk; raise UnusableInput when it is not there."""
+        """Commit one event to the disk; raise UnusableInput on failure."""
         line = json.dumps(event, ensure_ascii=False, allow_nan=False).encode() + b"\n"
         try:
             written = os.write(self._file, line)

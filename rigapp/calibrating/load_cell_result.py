@@ -26,7 +26,7 @@ from rigapp_calibration.taking.readings import Rows
 OF_A_FIT = (
     "matrix_N_per_unit", "zero", "residual_std_N", "expanded_uncertainty_N", "coverage_factor",
 )  # fmt: skip
-"""Keys that a result without a fit has, too."""
+"""Keys of a result without a fit, too."""
 Result = dict[str, Any]
 
 
@@ -93,7 +93,7 @@ def load_cell_result(calibration: LoadCellCalibration, settings: LoadCellSetting
 
 
 def _of_calibration(by_load: Sequence[LoadUncertainty]) -> dict[str, Any]:
-    """Return U of the calibration itself: the other keys hold that in use."""
+    """Return U of the calibration itself: the other keys are for use."""
     last = by_load[-1]
     return {
         "load_N": last.load,
@@ -105,7 +105,7 @@ def _of_calibration(by_load: Sequence[LoadUncertainty]) -> dict[str, Any]:
 
 
 def _pin_weight(calibration: LoadCellCalibration) -> dict[str, Any]:
-    """Return the weight that turns with the pin, as it acts where the loads hang."""
+    """Return the weight of the turning parts, as it acts where the loads hang."""
     weight = calibration.pin_weight
     assert weight is not None
     return {"pin_weight_N": weight.value, "pin_weight_expanded_uncertainty_N": weight.expanded}
@@ -138,7 +138,7 @@ def _at_load(uncertainty: LoadUncertainty) -> dict[str, Any]:
 def _too_uncertain(
     calibration: LoadCellCalibration, settings: LoadCellSettings
 ) -> Iterator[Problem]:
-    """Judge U where nothing else is wrong: a known mistake makes it large by itself."""
+    """Check U if there is no other problem: a known mistake makes it large by itself."""
     if calibration.budget is not None and calibration.accepted:
         against = too_uncertain(calibration.budget.expanded, settings.cell.full_scale)
         if against:
@@ -174,9 +174,9 @@ def _weight_words(calibration: LoadCellCalibration) -> Iterator[str]:
 
 
 def applied_by_former(rows: Rows, file: LoadCellFile, drift: bool | None) -> dict[str, Any]:
-    """Return the numbers that evaluations 1 and 2 apply to samples: one zero for all series.
+    """Return the numbers applied to samples by evaluations 1 and 2: one zero for all series.
 
-    drift: whether that of the zero was fitted, None where the readings decide.
+    drift: whether that of the zero was fitted, None to let the readings decide.
     """
     readings = load_cell_table(rows)
     settings = load_cell_meaning(file, say("the record's settings"))
@@ -189,7 +189,7 @@ def applied_by_former(rows: Rows, file: LoadCellFile, drift: bool | None) -> dic
 
 
 def fit_load_cell(rows: Rows, file: LoadCellFile, where: str) -> Outcome:
-    """Fit a table of readings by settings from ``where``: as it is shown, printed and kept.
+    """Fit a table of readings by settings from ``where``: for display, printing and storage.
 
     Raises ReadingsError and UnusableInput.
     """

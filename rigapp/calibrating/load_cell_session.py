@@ -1,4 +1,4 @@
-"""The load cell with live readings: weights at pin angles, the angle reference, the daily check."""
+"""Load cell calibration with live readings: weights at pin angles, angle reference, daily check."""
 
 from __future__ import annotations
 
@@ -67,16 +67,16 @@ from rigapp_calibration.taking.signals import Readiness, SignalState
 
 PLANS = {"daily": PlanKind.DAILY, "routine": PlanKind.ROUTINE, "full": PlanKind.FULL}
 SHARE_OF_FULL_SCALE = 0.99
-"""Of what the cell bears the heaviest load is left a hundredth below, for the pieces' tolerance."""
+"""Share of the cell's limit for the heaviest load: leaves a hundredth for the pieces' tolerance."""
 HEAVIEST_PIECE_KG = 2000.0
 """A single disc of a deadweight machine for 20 kN."""
 LARGEST_OFFSET = math.radians(20.0)
-"""Further off than a coupling is set by eye: another flat, or a wrong index."""
+"""Larger than the error of a coupling set by eye: another flat, or a wrong index."""
 FEWEST_FOR_RESIDUALS = 4
 ALIKE = 0.01
-"""Relative, of the loads of a series: the hysteresis that is refused as too much."""
+"""Relative difference of the loads of a series: the hysteresis that is refused as too much."""
 LEAST_REACH_N = 2.0
-"""The plot of the residuals shows at least so much: the resolution of the rig's own cell."""
+"""Minimum range of the residual plot: the resolution of the rig's own cell."""
 
 
 def parse_pieces(text: str) -> tuple[float, ...]:
@@ -144,7 +144,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     columns = (*LOAD_CELL_COLUMNS, HUNG_COLUMN)
     practice = LOAD_CELL_PRACTICE
     _kept = 0
-    """Events of the daily check that was kept."""
+    """Number of events of the stored daily check."""
 
     @property
     def settings(self) -> LoadCellSettings:
@@ -152,7 +152,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return load_cell_meaning(self.settings_file, "settings")
 
     def check_settings(self) -> None:
-        """Raise UnusableInput for weights, gravity or air that cannot be."""
+        """Raise UnusableInput for impossible weights, gravity or air."""
         for problem in check_settings(self.settings):
             if problem.blocks:
                 raise UnusableInput("settings: {}", problem.sentence)
@@ -170,7 +170,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         )
 
     def assess(self, window: LoadCellWindow, step: Step, since: float, wait: float) -> Readiness:
-        """Judge a window for a step."""
+        """Evaluate a window for a step."""
         return assess_load(window, step, self.settings.cell.resolution, since, wait)
 
     def place_of(self, window: LoadCellWindow) -> float | None:
@@ -209,7 +209,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return say("{}.", text)
 
     def compared(self, readiness: Readiness) -> Readiness:
-        """Return it, or a hint in its place where the measured load is not the expected one."""
+        """Return it, or a hint instead if the measured load is not the expected one."""
         procedure = self.procedure
         if procedure.done or procedure.step.kind is not StepKind.READING or not readiness.ready:
             return readiness
@@ -227,11 +227,11 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def _doubt(
         self, mass: float, series: str, before: Sequence[TakenReading], signal: ArrayLike
     ) -> str:
-        """Return a warning where the measured load is not the expected mass, else nothing.
+        """Return a warning if the measured load is not the expected mass, else empty.
 
         Measured against the zero of the same series, since the pin's weight is in both; by the gain
-        of the loads before it in the series, since the calibration in use may be another cell's or
-        none.
+        of earlier loads in the series, since the calibration in use may belong to another cell or
+        be missing.
         """
         window, steps, settings = self.newest, self.procedure.steps, self.settings
         same_series = [
@@ -314,7 +314,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def reference(self, shown: float, uncertainty: float) -> None:
         """Take the angle reference: the encoder's angle (rad) while the crank is level.
 
-        Raises ProcedureError when it is so far from 0 that the crank was not level.
+        Raises ProcedureError if it is too far from 0 for a level crank.
         """
         self._refer(single(shown, uncertainty), (shown,))
 
@@ -378,7 +378,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
     def keep_check(self, outcome: Outcome, store: Path) -> DailyHistory:
         """Append a daily check to the store and return the history; raise UnusableInput.
 
-        The same readings judged again count once.
+        The same readings count once.
         """
         used, file = self.newest, self.rig.file
         if outcome.check is None or used is None:
@@ -403,7 +403,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
         return read_history(store, self.rig.name)
 
     def close(self) -> None:
-        """Close the journal; that of a kept daily check is set aside, not to be resumed."""
+        """Close the journal; that of a stored daily check is set aside, not to be resumed."""
         super().close()
         if self._kept == len(self.procedure.events):
             self._kept, path = 0, self.journal.path

@@ -135,7 +135,7 @@ def pair_lines(pair: PairCalibration) -> list[str]:
 def fit_probes(rows: Rows, settings: Sequence[ProbeSettings]) -> Outcome:
     """Fit a table of readings of one probe, or of both where two are set (series 1.x and 2.x).
 
-    Returns it as it is shown, printed and kept; raises ReadingsError.
+    Returns it for display, printing and storage; raises ReadingsError.
     """
     readings = probe_table(rows)
     if len(settings) == 1:

@@ -1,4 +1,4 @@
-"""The probes with live readings: micrometer steps up and down, before one probe or both."""
+"""Probe calibration with live readings: micrometer steps up and down, for one probe or both."""
 
 from __future__ import annotations
 
@@ -45,12 +45,12 @@ PROBE_PLANS = {"routine": 1, "full": 3}
 """Plan -> runs up and down."""
 
 SHARE_OF_RANGE = 0.8
-"""Of the probe's range that is calibrated: the rest is kept for where position 0 is set up."""
+"""Share of the probe's range that is calibrated: the rest allows for the set-up of position 0."""
 ROUND_TO_UM = 5.0
-"""Steps of whole 5 um are easily set at a micrometer's scale."""
+"""Steps of whole 5 um are easily set on a micrometer's scale."""
 FEWEST_FOR_RESIDUALS = 3
 LEAST_REACH_UM = 1.0
-"""The plot of the residuals shows at least so much: about a micrometer screw's own error."""
+"""Minimum range of the residual plot: about a micrometer screw's own error."""
 
 
 def usual_reach_um(sensitivity_um_per_V: Sequence[float], range_V: float, positions: int) -> float:
@@ -65,7 +65,7 @@ def usual_reach_um(sensitivity_um_per_V: Sequence[float], range_V: float, positi
 def probe_plan(choices: Mapping[str, Any], file: ProbeFile) -> ProbePlan:
     """Return the plan of the operator's choices; raise UnusableInput naming the wrong one.
 
-    Without a reach it is the usual one, of probes of some sensitivity.
+    Without a largest position the usual one is taken, by the sensitivity of the probes.
     """
     probe, plan, positions = choices["which"], choices["plan"], choices["positions"]
     if probe not in PROBES:
@@ -106,13 +106,13 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
         )
 
     def assess(self, window: ProbeWindow, step: Step, since: float, wait: float) -> Readiness:
-        """Judge a window for a step."""
+        """Evaluate a window for a step."""
         return assess_probe(window, step, since, wait)
 
     # --- display ---------------------------------------------------------------------------------
 
     def typed(self, answer: str) -> float | None:
-        """Return the position (m) that the operator read off the micrometer."""
+        """Return the position (m) that the operator has read from the micrometer."""
         if not answer or self.procedure.step.kind is StepKind.SET_UP:
             return None
         try:
@@ -121,7 +121,7 @@ class ProbeSession(LiveSession[ProbePlan, ProbeWindow, ProbeFile]):
             raise ProcedureError("Enter, a position in um, b, r, n or q.") from error
 
     def expected(self) -> float:
-        """Return the position (m) to which the present step leads."""
+        """Return the target position (m) of the present step."""
         return 0.0 if self.procedure.done else self.procedure.step.value
 
     def describe(self, reading: TakenReading) -> str:

@@ -1,6 +1,6 @@
-"""Keep the record of a calibration: whole or not at all, read-only, never overwritten.
+"""Store the record of a calibration: atomically, read-only, never overwritten.
 
-Problems and budgets are kept as plain values.
+Problems and budgets are stored as plain values.
 """
 
 from __future__ import annotations
@@ -75,9 +75,9 @@ def keep_record(
     taken: Mapping[str, Any] | None = None,
     as_found: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write the record completely or not at all, and read-only.
+    """Write the record atomically and read-only.
 
-    taken: how the readings were taken, for those that the program took itself. as_found: their
+    taken: how the readings were taken, if by the program itself. as_found: their
     result for the record that was in use. Raises UnusableInput for a date in the future.
     """
     now = int(time.time())

@@ -1,4 +1,4 @@
-"""Calibration records that a rig file names: read, judged, put in the place of its own numbers."""
+"""Calibration records named by a rig file: read, verified, and used in place of its own numbers."""
 
 from __future__ import annotations
 
@@ -72,8 +72,8 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
     """Read the records that a rig file names (``places_of``).
 
     Paths are relative to the rig file. Each record is fitted again from its readings and compared.
-    Raises UnusableInput for a record that is missing, changed after it was made, or of something
-    else.
+    Raises UnusableInput for a record that is missing, changed since it was made, or of another
+    kind.
     """
     texts: dict[str, str] = {}
     blocking: dict[str, str] = {}
@@ -97,7 +97,7 @@ def with_records(rig: Rig, now: float | None = None) -> RigRecords:
             with_numbers, labels = place.use(
                 rig, section, [record for _, record in texts_and_records]
             )
-            # A record must not state values that the rig file itself could not.
+            # A record must not contain values that the rig file itself could not.
             with_numbers = msgspec.convert(tree_of(with_numbers), type(section))
             each = []
             for text, record in texts_and_records:
@@ -176,7 +176,7 @@ def _trusted_keys(rig: Rig) -> dict[str, str]:
 
 
 def _unsigned(record: Record, trusted: Mapping[str, str]) -> Iterator[str]:
-    """Yield why a record is not of a laboratory that the rig file trusts, if it names any.
+    """Yield why a record is not from a laboratory trusted by the rig file, if it names any.
 
     The signature itself is verified for every record.
     """
@@ -257,7 +257,7 @@ class ProbesStated:
 
     sensitivity: relative standard uncertainty, the larger of both probes'; drift_um: standard
     drift of a depth in a decade of revolutions: the uncertainty of one position, since wear moves
-    the pin through positions that are each wrong by so much. records: their names.
+    the pin through positions that each have this error. records: their names.
     """
 
     sensitivity: float
@@ -344,7 +344,7 @@ def _run_out(
 ) -> tuple[ProbesSection, Sequence[str]]:
     """Take the map; its uncertainty and the probes' add as squares.
 
-    The probes' own systematic part is in both, so that the sum is rather too large than too small.
+    The probes' own systematic part is in both, so that the sum is an upper estimate.
     """
     result = records[0].content["result"]
     stated, of_map = section.uncertainty_um, result["expanded_uncertainties_um"]
@@ -440,8 +440,8 @@ def name_record(rig: Path, record: Path, place: RecordPlace = LOAD_CELL) -> Path
     """Enter a record in its place of a rig file; return the copy of the old file.
 
     The name is relative to the rig file. An override of the place is removed: its reason was the
-    former record's. Everything else stays, comments included. Nothing is changed when the rig would
-    not be usable with the record. Raises UnusableInput.
+    former record's. Everything else stays, comments included. Nothing is changed if the record
+    would make the rig unusable. Raises UnusableInput.
     """
     import tomlkit
 

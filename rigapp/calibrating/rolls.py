@@ -1,4 +1,4 @@
-"""The run-out map under way: slow rolls of the spindle, then the map from them."""
+"""Run-out map under way: slow rolls of the spindle, then the map from them."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from rigapp_calibration.taking.procedure import ProcedureError
 from rigapp_calibration.turning.run_out import FASTEST
 
 ROLL_RAMP = 2
-"""Revolutions beyond those wanted: the first ones carry the ramp."""
+"""Revolutions beyond those requested: the first ones contain the ramp."""
 REVOLUTIONS = {"routine": 12, "full": 30}
 """Plan -> revolutions at each speed: from 10 on the spread of a roll is known; more average it."""
 FASTEST_RPM = round(FASTEST * 30.0 / math.pi, 6)
@@ -45,9 +45,9 @@ ORDERS = 8
 def roll_test(
     rig: RigFile, base: TestFile, rpm: float, revolutions: int, operator: str
 ) -> TestFile:
-    """Return the test of a slow roll: every cycle kept, no prediction, guards kept close.
+    """Return the test of a slow roll: every cycle stored, no prediction, narrow limits.
 
-    base: the test whose mechanism and limits are kept.
+    base: the test whose mechanism and limits are used.
     """
     return TestFile(
         schema=1,
@@ -115,9 +115,9 @@ def rolls_of(
 def save_map(
     files: Sequence[Path], orders: int, source: Mapping[str, Any], settings: RunOutFile, to: Path
 ) -> Outcome:
-    """Make a map of rolls and keep its record when it is good.
+    """Make a map of rolls and store its record if it is accepted.
 
-    source: the rig and whether it is simulated, as far as that is known.
+    source: the rig and whether it is simulated, as far as known.
     """
     outcome, readings, facts = map_of(files, orders)
     if outcome.accepted:

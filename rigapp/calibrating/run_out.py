@@ -57,7 +57,7 @@ def map_of(files: Sequence[Path], orders: int) -> tuple[Outcome, str, list[dict[
 
 
 def read_roll(path: Path) -> tuple[Roll, dict[str, Any]]:
-    """Read the undisturbed whole cycles of a test file, as the probes showed them.
+    """Read the undisturbed whole cycles of a test file, as read by the probes.
 
     A map and an alignment that were applied while it was recorded are removed. Each cycle has the
     motion of the pin by its forces in an unworn bushing of the file's test. Returns the roll and

@@ -1,8 +1,8 @@
 """A calibration with live readings, without user interface: signals in, journal and record out.
 
 The wizard and the terminal are thin interfaces of a ``LiveSession``: they show its instruction and
-its verdict on the newest window, and pass on the operator's decisions. Each subject has a session
-of its own (``load_cell_session``, ``probe_session``).
+its verdict on the newest window, and pass on the operator's decisions. Each type has a session of
+its own (``load_cell_session``, ``probe_session``).
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ from rigapp_calibration.taking.signals import Readiness, SignalState, SignalWind
 
 @dataclass(frozen=True, slots=True)
 class Rig:
-    """Where the readings come from: name of the rig, whether it is simulated, who calibrates.
+    """Source of the readings: name of the rig, whether it is simulated, operator.
 
-    file: the rig file, where it is known; test: the test file that is open, where one is.
+    file: the rig file, if known; test: the open test file, if any.
     """
 
     name: str
@@ -117,8 +117,8 @@ class Outcome:
 class ResidualsSoFar:
     """Residuals of the readings so far from their own fit, for a plot, and the same in words.
 
-    curves: of the two axes or probes, each (x, residual); span: the ends of the x axis; reach: of
-    the other one, either way; in the units of the plot.
+    curves: of the two axes or probes, each (x, residual); span: the ends of the x axis; reach:
+    limit of the y axis, either way; in the units of the plot.
     """
 
     curves: tuple[tuple[Array, Array], tuple[Array, Array]]
@@ -198,7 +198,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
     # --- subject ---------------------------------------------------------------------------------
 
     def check_settings(self) -> None:
-        """Raise UnusableInput for settings that no calibration could begin with."""
+        """Raise UnusableInput for settings that do not permit a calibration."""
         return
 
     @abstractmethod
@@ -207,7 +207,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     @abstractmethod
     def assess(self, window: WindowType, step: Step, since: float, wait: float) -> Readiness:
-        """Judge a window for a step."""
+        """Evaluate a window for a step."""
 
     def place_of(self, window: WindowType) -> float | None:
         """Return the pin angle or probe of a step by the window; None where the window has none."""
@@ -237,7 +237,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     @abstractmethod
     def describe(self, reading: TakenReading) -> str:
-        """Return the name of a reading among the others."""
+        """Return the name of a reading that distinguishes it from the others."""
 
     @abstractmethod
     def cells(self, reading: TakenReading) -> tuple[str, ...]:
@@ -248,7 +248,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         """Return the present signals in words."""
 
     def compared(self, readiness: Readiness) -> Readiness:
-        """Return it, or a hint in its place where the measured value cannot be."""
+        """Return it, or a hint instead if the measured value is implausible."""
         return readiness
 
     @abstractmethod
@@ -272,7 +272,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         return not procedure.done and procedure.step.kind is StepKind.ANGLE_REFERENCE
 
     def look(self, window: WindowType) -> Readiness:
-        """Judge the newest window for the step under way."""
+        """Evaluate the newest window for the step under way."""
         newest, procedure = window.newest, self.procedure
         if not procedure.done and not math.isnan(newest):
             before = -math.inf if self.newest is None else self.newest.newest
@@ -286,7 +286,7 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         return self.assess(window, procedure.step, self._since, self._wait(procedure.step))
 
     def _wait(self, step: Step) -> float:
-        """Return the seconds from the last change on that a step waits."""
+        """Return the seconds that a step waits after the last change."""
         if not self._patient:
             return 0.0
         return step.due - (self._since - self._preloaded) if step.due else step.wait
@@ -298,20 +298,20 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
 
     @property
     def takes_itself(self) -> bool:
-        """Return whether the step is read when it is due, without a command of the operator."""
+        """Return whether the step is read when due, without a command of the operator."""
         procedure = self.procedure
         return self._patient and not procedure.done and procedure.step.due > 0.0
 
     def changed_at(self, time_s: float) -> None:
-        """Set the device time of the last change, which is known of a simulated operator."""
+        """Set the device time of the last change, known from a simulated operator."""
         self._since = time_s
 
     # --- actions of the operator -----------------------------------------------------------------
 
     def take(self, window: WindowType, at: float | None = None) -> None:
-        """Take the step under way with a window that is ready; raise ProcedureError when not.
+        """Take the step under way with a ready window; raise ProcedureError for any other.
 
-        at: value that the operator read off (a micrometer), SI; without it, the step's.
+        at: value that the operator has read (a micrometer), SI; without it, the step's.
         """
         readiness = self.look(window)
         if not readiness.ready:
@@ -336,11 +336,11 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
             self._preloaded = window.newest
 
     def leave_out(self) -> None:
-        """Skip the series under way; raise ProcedureError where it is needed."""
+        """Skip the series under way; raise ProcedureError if it is required."""
         self.adopt(self.procedure.leave_out())
 
     def _in_time(self, newest: float) -> float:
-        """Return the seconds since the preload, of a step that is due then; practised, as due.
+        """Return the seconds since the preload, for a step due then; in training, as due.
 
         Begins the series again, and raises ProcedureError, where the step is long overdue.
         """
@@ -367,11 +367,11 @@ class LiveSession(ABC, Generic[PlanType, WindowType, FileType]):
         self.adopt(self.procedure.back(reason))
 
     def note(self, text: str) -> None:
-        """Keep a remark beside the readings; record and certificate have it."""
+        """Add a remark beside the readings, for record and certificate."""
         self.adopt(self.procedure.note(text))
 
     def adopt(self, after: Procedure[PlanType]) -> None:
-        """Go on to the state after an event, once the event is in the journal."""
+        """Change to the state after an event, once the event is in the journal."""
         self._write(after.events[-1])
         self.procedure = after
 

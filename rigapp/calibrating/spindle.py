@@ -36,26 +36,26 @@ class SpindleRun:
 
     @property
     def recipe(self) -> Path:
-        """Return the test file."""
+        """Return the path of the test file."""
         return self.stem.with_name(f"{self.stem.name}.toml")
 
     @property
     def out(self) -> Path:
-        """Return the recorded file."""
+        """Return the path of the recorded file."""
         return self.stem.with_name(f"{self.stem.name}.h5")
 
 
 class SpindleRuns:
-    """Take one run after the other, with any engine and any way of waiting.
+    """Carry out one run after the other, with any engine and any way of waiting.
 
-    A complete run is not taken again. The file of one that was cut off is set aside, and the run is
-    taken again; one that an engine still records is waited for.
+    A complete run is not repeated. The file of an interrupted one is set aside, and the run is
+    repeated; one that an engine still records is waited for.
     """
 
     def __init__(self, runs: Sequence[SpindleRun], what: str) -> None:
         """Take the runs; what: their name in words.
 
-        Raises UnusableInput for a test that cannot be, or a file that comes from something else.
+        Raises UnusableInput for an impossible test, or a file of other origin.
         """
         self.runs, self.what = tuple(runs), what
         self.position = 0
@@ -83,7 +83,7 @@ class SpindleRuns:
 
     @property
     def turned(self) -> int:
-        """Return the revolutions that are recorded, those of the present run included."""
+        """Return the recorded revolutions, those of the present run included."""
         return sum(run.test.run.revolutions for run in self.runs[: self.position]) + self._now
 
     def forget(self) -> None:
@@ -92,7 +92,7 @@ class SpindleRuns:
 
     @property
     def turning(self) -> bool:
-        """Return whether a run was begun and has not ended as far as is known."""
+        """Return whether a run was begun and is not known to have ended."""
         return self._begun
 
     @property
@@ -141,7 +141,7 @@ class SpindleRuns:
         return Action("start", {"test": str(run.recipe.resolve()), "out": str(run.out.resolve())})
 
     def compress(self) -> None:
-        """Compress the files; an engine that goes on running compresses its files itself."""
+        """Compress the files, unless the engine is running on and compresses them itself."""
         from rigapp.storage import StorageFailed, compact_test
 
         for path in self.files:
@@ -150,7 +150,7 @@ class SpindleRuns:
 
 
 def _is_whole(out: Path) -> bool:
-    """Return whether a run is complete; set its file aside where it was cut off."""
+    """Return whether a run is complete; set the file of an interrupted one aside."""
     from rigapp.storage import open_test
 
     if not out.exists():

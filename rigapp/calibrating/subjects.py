@@ -1,6 +1,6 @@
 """The table of calibration types.
 
-A new subject is an entry here, and its parts: its fit and checks (``calibration``), its
+A new type is an entry here, and its parts: its fit and checks (``calibration``), its
 result and, if it is taken step by step, its session (beside this module), the sections of its
 certificate, and where a rig file names its records (``records_in_use``). The command line has one
 function for its options (``rigapp.cli``), the window one for its pages (``rigapp.gui.wizard``).
@@ -48,13 +48,13 @@ from rigapp_calibration.taking.readings import read_table
 class Subject:
     """One calibration type.
 
-    name: of the verb, with blanks. plan (choices by name, settings): of live readings; raises
+    name: of the command, with blanks. plan (choices by name, settings): of live readings; raises
     UnusableInput. kinds: of its records. columns: of its readings. settings: of its file.
     fit (readings as CSV, settings, where they are from, which of several): raises
     ReadingsError or UnusableInput; None where the readings are test files. session: with live
     readings step by step, None for others. certificate: of a record's content. place: where a rig
     file names its records, None for a check that changes nothing there, and for free channels, of
-    which each rig has its own. fastest_rpm: at which it turns the spindle, 0: never.
+    which each rig has its own. fastest_rpm: fastest speed of the spindle, 0: never.
     """
 
     name: str

@@ -32,10 +32,10 @@ Actions = tuple[Action, ...]
 
 @dataclass(frozen=True, slots=True)
 class Training:
-    """How a calibration is practised.
+    """Training for a calibration.
 
-    mistakes: to choose from, the first of them none. prepare: makes the rig ready; the engine puts
-    it together when the calibration ends. plant: begins a mistake at the rig and ends all others.
+    mistakes: the choices, the first of them none. prepare: prepares the rig; the engine restores
+    it when the calibration ends. plant: begins a mistake at the rig and ends all others.
     act (session, mistake, since): the actions of the step under way, ``since``: the step at which
     the mistake began.
     """
@@ -47,7 +47,7 @@ class Training:
 
 
 class NoMistake(enum.StrEnum):
-    """The choices where the simulated operator has nothing to do."""
+    """Choices without actions of the simulated operator."""
 
     NONE = "none"
 
@@ -73,7 +73,7 @@ _FAULTS = {
 MISTAKES = tuple(_FAULTS.values())
 """Faults of the simulated rig by which a mistake is made."""
 ONCE_ROUND = (90.0, 180.0, 270.0, 359.0, 0.0)
-"""Angles (degrees) that lead the pin once past the encoder's index."""
+"""Angles (degrees) that turn the pin once past the encoder's index."""
 BARE_PIN: Actions = (
     _hand("take_off_follower"),
     *(_hand("turn_pin", angle_deg=at) for at in ONCE_ROUND),
@@ -127,7 +127,7 @@ LOAD_CELL_PRACTICE = Training(
 BACKLASH_UM = 15.0
 DRIFT_UM = 1.0
 TOO_FAR = 2.5
-"""Mistakes of the size that a technician makes: the checks detect each of them."""
+"""Sizes of a technician's mistakes: the checks detect each of them."""
 
 
 class MicrometerMistake(enum.StrEnum):

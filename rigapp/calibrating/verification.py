@@ -39,7 +39,8 @@ NOTHING = 1e-12
 ZEROS_BY_SERIES = 3
 """The evaluation from which on each series of the load cell has its own zero."""
 ALIKE = 1e-3
-"""Relative, between evaluations: a tenth of the limit of the best class in reach (1) of ISO 376."""
+"""Relative, between evaluations: a tenth of the limit of the best attainable class (1) of ISO
+376."""
 
 Content = Mapping[str, Any]
 Result = Mapping[str, Any]

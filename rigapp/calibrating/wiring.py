@@ -1,4 +1,4 @@
-"""The cell or probes of a record, and the measuring line: a record holds for no other."""
+"""Identity of the cell or probes of a record, and of the measuring line to which it is bound."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SECTIONS: Final[Mapping[str, str]] = {
     "probe": "probes",
     "probe pair": "probes",
 }
-"""Kind of a record -> its section of the rig file; other kinds are bound otherwise."""
+"""Kind of a record -> its section of the rig file; other kinds are bound in another way."""
 
 _OTHER_LINE: Final = frozenset({"record", "reply_timeout_s", "poll_interval_s", "block_s"})
 """Settings of a device that change no value."""
@@ -42,7 +42,7 @@ def _line(rig: RigFile, section: LoadCellSection | ProbesSection) -> dict[str, A
 
 
 def foreign(kind: str, content: Mapping[str, Any], rig: RigFile) -> Iterator[str]:
-    """Yield the differences of a record's cell and line from those of the rig file.
+    """Yield differences between a record's cell and line and those of the rig file.
 
     content: of the record. Readings that came as a table, and older records, have no line.
     """

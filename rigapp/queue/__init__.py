@@ -1,4 +1,4 @@
-"""Tests of one rig, one after another: the list, the disk that keeps it, who works it through.
+"""Queue of tests of one rig: the list, its file, and the worker that runs it.
 
 Others enter by ``items``, ``store``, ``worker``.
 """

@@ -1,4 +1,4 @@
-"""A queue of tests as a value: what is added, begun, ended, and which one comes next."""
+"""A queue of tests as a value, with functions to add, begin and end tests."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from rigapp.schema.queue import ItemState, QueuedTest
 from rigapp.texts import say
 
 MOST_LEFT = 100
-"""Tests that are still to be done."""
+"""Maximum number of open tests."""
 MOST_DONE = 20
-"""Of more the oldest are forgotten; their files stay."""
+"""Maximum number of finished tests in the list; older ones are dropped, their files stay."""
 
 
 class Queue(msgspec.Struct, frozen=True):
@@ -27,17 +27,17 @@ class Queue(msgspec.Struct, frozen=True):
 
     @property
     def next(self) -> QueuedTest | None:
-        """Return the test that is to be done next: the first that is not done."""
+        """Return the next test: the first that is not done."""
         return next((item for item in self.items if item.state is not ItemState.DONE), None)
 
     @property
     def running(self) -> QueuedTest | None:
-        """Return the test that runs."""
+        """Return the running test."""
         return next((item for item in self.items if item.state is ItemState.RUNNING), None)
 
 
 def added(queue: Queue, tests: list[str], folder: str) -> Queue:
-    """Return a queue with more tests at its end; raise UnusableInput where they are too many."""
+    """Return a queue with more tests at its end; raise UnusableInput for too many."""
     left = sum(item.state is not ItemState.DONE for item in queue.items)
     if left + len(tests) > MOST_LEFT:
         raise UnusableInput("A queue holds {} tests at most; {} are in it.", MOST_LEFT, left)
@@ -62,19 +62,19 @@ def removed(queue: Queue, numbers: list[int]) -> Queue:
 
 
 def at_work(queue: Queue) -> Queue:
-    """Return a queue that takes one test after another."""
+    """Return a queue that runs one test after another."""
     return msgspec.structs.replace(queue, working=True)
 
 
 def begun(queue: Queue, number: int, file: str) -> Queue:
-    """Return a queue with this test running into a file; as it was where it does not work."""
+    """Return a queue with this test running into a file; unchanged if the queue is paused."""
     if not queue.working:
         return queue
     return _with(queue, number, state=ItemState.RUNNING, file=file, sentence="")
 
 
 def ended(queue: Queue, number: int, sentence: str, *, done: bool) -> Queue:
-    """Return a queue after the end of a test; one that is not done ends the work."""
+    """Return a queue after the end of a test; one that is not done pauses the queue."""
     queue = msgspec.structs.replace(queue, working=queue.working and done)
     state = ItemState.DONE if done else ItemState.STOPPED
     queue = _with(queue, number, state=state, sentence=sentence)
@@ -84,20 +84,20 @@ def ended(queue: Queue, number: int, sentence: str, *, done: bool) -> Queue:
 
 
 def put_back(queue: Queue, test: QueuedTest) -> Queue:
-    """Return a queue whose test could not begin, as before; the queue begins no other by itself."""
+    """Return a queue whose test could not begin, as before; the queue is paused."""
     items = tuple(test if other.number == test.number else other for other in queue.items)
     return msgspec.structs.replace(queue, items=items, working=False)
 
 
 def halted(queue: Queue) -> Queue:
-    """Return a queue that begins no other test; the one that runs goes on."""
+    """Return a paused queue; the running test continues."""
     return msgspec.structs.replace(queue, working=False)
 
 
 def after_finish(queue: Queue, finished: Finished) -> Queue:
-    """Return a queue after the end of whatever test; one that is not in the queue changes nothing.
+    """Return a queue after the end of any test; one that is not in the queue changes nothing.
 
-    A test of the queue that somebody went on with by hand is done by that as well.
+    A test of the queue that was resumed manually counts as well.
     """
     for item in queue.items:
         if item.file == finished.file and item.state is not ItemState.DONE:
@@ -107,7 +107,7 @@ def after_finish(queue: Queue, finished: Finished) -> Queue:
 
 
 def cut_off(queue: Queue) -> Queue:
-    """Return a queue whose engine ended without a word: what ran is stopped, nothing works."""
+    """Return a queue whose engine died: the running test is stopped, the queue paused."""
     test = queue.running
     if test is not None:
         words = say("the computer or the program stopped during the test")

@@ -1,4 +1,4 @@
-"""The queue of a rig on the disk: read, and changed by one process after the other."""
+"""The queue of a rig on the disk: read, and changed by one process at a time."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LOOK_EVERY_S = 0.02
 
 
 class QueueStore:
-    """One queue in one file; commands and engine change it, each for an instant."""
+    """One queue in one file; commands and engine change it, each for a moment."""
 
     def __init__(self, path: Path, rig: Path) -> None:
         self._path = path
@@ -40,7 +40,7 @@ class QueueStore:
             ) from error
 
     def view(self) -> Queue:
-        """Return the queue for those who look often: read when the file is another one."""
+        """Return the queue for frequent readers: read only if the file has changed."""
         try:
             status = self._path.stat()
             state = (status.st_mtime_ns, status.st_ino)
@@ -51,7 +51,7 @@ class QueueStore:
         return self._seen[1]
 
     def change(self, how: Callable[[Queue], Queue]) -> Queue:
-        """Put another queue in the place of this one, and return it; raise UnusableInput."""
+        """Replace the queue by a changed one, and return it; raise UnusableInput."""
         with self._alone():
             changed = how(self.read())
             with whole_file(self._path, say("the queue"), mode=0o600) as part:

@@ -1,4 +1,4 @@
-"""Work a queue through: begin the next test when one is done, stop at the first that is not."""
+"""Run the tests of a queue: begin the next when one is done, stop at the first that is not."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from rigapp.texts import say
 
 
 class Begin(Protocol):
-    """Begin a test, or go on with it where its file is there already."""
+    """Begin a test, or resume it if its file exists."""
 
     def __call__(self, test: Path, file: Path, operator: str) -> Finished | None:
-        """Return how it ended where nothing was left to do; raise one of the expected errors."""
+        """Return how it ended if nothing was left to do; raise one of the expected errors."""
 
 
 @dataclass(frozen=True, slots=True)
 class QueueActions:
-    """What a queue needs of the engine.
+    """Functions of the engine that a queue uses.
 
-    expected: errors of ``begin`` that are a sentence for the operator. tell: says that the queue
+    expected: errors of ``begin`` that are a sentence for the operator. tell: reports that the queue
     has stopped, and with an empty text that this is over.
     """
 
@@ -38,7 +38,7 @@ class QueueActions:
 
 
 class QueueWorker:
-    """Take the tests of a queue in their order, one at a time."""
+    """Run the tests of a queue in their order, one at a time."""
 
     def __init__(self, store: QueueStore, hands: QueueActions) -> None:
         self._store = store
@@ -46,7 +46,7 @@ class QueueWorker:
         self._operator = ""
 
     def take_up(self) -> None:
-        """Tell what the engine before has left undone; nothing begins by itself."""
+        """Report what the previous engine has left unfinished; nothing begins by itself."""
         left = self._store.read()
         if left.working or left.running is not None:
             left = self._store.change(cut_off)
@@ -56,9 +56,9 @@ class QueueWorker:
         self._tell(left)
 
     def start(self, operator: str) -> Queue:
-        """Begin the test that is next, and go on from there; return the queue.
+        """Begin the next test, and continue from there; return the queue.
 
-        Raises Refused where there is nothing to do or it works already, and what ``begin`` raises.
+        Raises Refused for an empty or running queue, and the errors of ``begin``.
         """
         before = self._store.read()
         if before.running is not None:
@@ -72,26 +72,26 @@ class QueueWorker:
         return self._store.read()
 
     def stop(self) -> Queue:
-        """Begin no other test; the one that runs goes on to its end."""
+        """Begin no other test; the running one continues to its end."""
         return self._store.change(halted)
 
     def finished(self, notice: Finished) -> None:
-        """Take note of the end of a test, and begin the next one where it was done."""
+        """Record the end of a test, and begin the next one if it was done."""
         before = self._store.read()
         now = self.note(notice)
         if now != before:
             self._go_on(now)
 
     def note(self, notice: Finished) -> Queue:
-        """Take note of the end of a test, and begin nothing; return the queue."""
+        """Record the end of a test without beginning another; return the queue."""
         return self._store.change(lambda queue: after_finish(queue, notice))
 
     def view(self) -> Queue:
-        """Return the queue as it is, read again only when it was changed; empty if unreadable."""
+        """Return the present queue, read again only after a change; empty if unreadable."""
         return self._store.view()
 
     def _go_on(self, now: Queue) -> None:
-        """Begin tests until one runs, or none is left, or one could not begin."""
+        """Begin tests until one runs, none is left, or one could not begin."""
         while now.working and now.running is None and now.next is not None:
             try:
                 now = self._begin(now.next)

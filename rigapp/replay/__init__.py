@@ -1,7 +1,7 @@
-"""A recorded test that answers as an engine does: its client, and the messages that a file gives.
+"""Replay client of a recorded test, with the engine's interface, and the messages of a file.
 
-The client has the manner of ``rigapp.service.client.Client``, so that a window shows both alike.
-Whoever draws a file takes its curves from ``messages`` too. It reads files and judges them by the
-engine's own rules; it knows no device, no window and no other process. Others enter by ``client``
+The client has the interface of ``rigapp.service.client.Client``, so that a window shows both alike.
+Other drawings of a file take their curves from ``messages`` too. It reads files and evaluates them
+by the engine's own rules; it uses no device, window or other process. Others enter by ``client``
 and ``messages``.
 """

@@ -1,7 +1,7 @@
-"""Play a recorded test as if it ran: the same snapshots, so that the same window shows it.
+"""Play a recorded test as if it ran: with the same snapshots for the same window.
 
-A snapshot of a replay says how many rows of the file belong to it, in place of the rows: the window
-reads what it draws from the file, so that a leap over 10^7 rows costs what one over ten does.
+A snapshot of a replay holds the number of its rows in the file instead of the rows: the window
+reads from the file what it draws, so that a seek over 10^7 rows costs as much as one over ten.
 """
 
 from __future__ import annotations
@@ -66,12 +66,12 @@ class RecordedAlarms:
         self._monitor: RuleMonitor | None = None
 
     def alarms(self, revolution: int) -> tuple[Alarm, ...]:
-        """Return the alarms that were on the list when a revolution was the last one recorded."""
+        """Return the alarms on the list when a revolution was the last recorded one."""
         self._go_to(revolution)
         return self._alarms
 
     def margin(self, revolution: int, values: Mapping[str, float]) -> tuple[float, str]:
-        """Return the least distance to a limit in percent, and which; NaN where nothing is judged.
+        """Return the least distance to a limit in percent, and its name; NaN without limits.
 
         values: the columns of the revolution's row.
         """
@@ -100,7 +100,7 @@ class RecordedAlarms:
 
 
 def _apply(listed: dict[str, Alarm], event: Event) -> None:
-    """Take one line of the log into the list of alarms, by key."""
+    """Apply one line of the log to the list of alarms, by key."""
     change = alarm_change(event)
     if change is None:
         return
@@ -137,7 +137,7 @@ def _raised(change: AlarmChange, event: Event, first_out: bool) -> Alarm:
 
 
 def _monitor(limits: LimitsSection | None) -> RuleMonitor | None:
-    """Return the judge of rules; None when the log's changes do not make usable rules."""
+    """Return the monitor of rules; None when the log's changes do not make usable rules."""
     try:
         return RuleMonitor(limits.rule) if limits is not None else None
     except UnusableInput:
@@ -160,7 +160,7 @@ RESIDUAL = "residual_rms"
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """Carry what a replay needs of a recorded test at once; columns: name -> unit in a row.
+    """Data of a recorded test that a replay needs at once; columns: name -> unit in a row.
 
     rows, predictions: the revolution of each.
     """
@@ -176,9 +176,9 @@ class Recording:
 
 
 class ReplayClient:
-    """Answer as an engine does, from a file. Pause, resume, stop, speed and leaps work.
+    """Replay a recorded test with an engine's interface: pause, resume, stop, speed and seek.
 
-    A thread reads the file and keeps one snapshot ready, with the newest that was not fetched yet.
+    A thread reads the file and keeps one snapshot ready, with all data not fetched yet.
     """
 
     is_replay = True
@@ -224,7 +224,7 @@ class ReplayClient:
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0
     ) -> Reply:
-        """Pause, resume, stop, change the speed, or go to a revolution; all else is refused."""
+        """Pause, resume, stop, change the speed, or seek a revolution; all else is refused."""
         arguments = arguments or {}
         if verb == "pause":
             self._state = RunState.PAUSED
@@ -262,7 +262,7 @@ class ReplayClient:
             last = now
             try:
                 self._prepare()
-            except UnusableInput as error:  # a damaged cycle; rows and the other cycles go on
+            except UnusableInput as error:  # a damaged cycle; rows and the other cycles continue
                 self._reason = sentence_of_error(error)
             self._wake.wait(PERIOD_S)
             self._wake.clear()
@@ -360,7 +360,7 @@ class ReplayClient:
         )
 
     def _values(self, row: int) -> dict[str, float]:
-        """Return a revolution's values by column, NaN for those that the file does not have."""
+        """Return a revolution's values by column, NaN for columns that the file lacks."""
         result = dict.fromkeys(self._recording.columns, math.nan)
         for name in self._test.column_units():
             result[name] = float(self._test.column(name, row, row + 1)[0])

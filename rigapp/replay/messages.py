@@ -1,4 +1,4 @@
-"""What a recorded file holds, as the messages in which an engine sends it."""
+"""Content of a recorded file as the messages that an engine sends."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rigapp.schema.messages import Cycle, Prediction, WornProfile
 from rigapp.storage import StoredCycle, TestReader
 
 PREDICTION_BACK = 5
-"""Saved cycles to go back for a predicted curve when the newest has none."""
+"""Number of saved cycles searched backwards for a predicted curve."""
 
 
 def cycle_message(stored: StoredCycle) -> Cycle:

@@ -1,1 +1,1 @@
-"""What flows and is stored, said once: columns, messages, events, verbs."""
+"""Schema of messages and files, each item defined once: columns, messages, events, verbs."""

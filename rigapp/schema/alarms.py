@@ -1,6 +1,6 @@
-"""The alarms that the engine can raise: ``alarms.toml`` says all that is to be known of each.
+"""The alarms that the engine can raise; ``alarms.toml`` defines each of them.
 
-What sees a cause raises it by its key, with what its words name:
+A cause is raised by its key, with the values in its text:
 ``make_alarm("overload", force_N=..., limit_N=...)``.
 """
 
@@ -17,7 +17,7 @@ from rigapp.texts import Sentence, say
 
 
 class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """Say what all alarms of a kind share; the head of ``alarms.toml`` tells the fields."""
+    """Common data of all alarms of a kind; the head of ``alarms.toml`` explains the fields."""
 
     severity: Severity
     title: str
@@ -34,7 +34,7 @@ class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     @property
     def latched(self) -> bool:
-        """Tell whether its alarms stay on the list until they are reset."""
+        """Return whether its alarms stay on the list until they are reset."""
         return self.severity is Severity.CRITICAL
 
 
@@ -42,7 +42,7 @@ class Kind(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 class Cause:
     """One alarm as it is raised: its kind, key, title and the sentence that names the culprit.
 
-    value: what was measured, of kinds that name one.
+    value: measured value, for kinds that state one.
     """
 
     kind: Kind
@@ -55,11 +55,11 @@ class Cause:
 KINDS: Mapping[str, Kind] = msgspec.toml.decode(
     Path(__file__).with_suffix(".toml").read_bytes(), type=dict[str, Kind]
 )
-"""Every kind by its key. The rules of a test file make kinds of their own, ``rule:...``."""
+"""All kinds by key. The rules of a test file make further kinds, ``rule:...``."""
 
 UNBELIEVED = ("wear_jumped", "wear_fell", "wear_negative")
-"""Alarms after which the measured wear depth of a test is not believed any more; their value is the
-last believed one, um."""
+"""Alarms after which the measured wear depth of a test is no longer valid; their value is the last
+valid one, um."""
 
 RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
     "none": (say("No action taken."), None),
@@ -68,7 +68,7 @@ RULE_ACTIONS: Mapping[str, tuple[str, FinishReason | None]] = {
     "stop": (say("The test was stopped."), FinishReason.LIMIT),
     "drive_off": (say("The drive was switched off."), FinishReason.LIMIT),
 }
-"""Action of a rule -> what it leads to, and the reason with which it ends the test."""
+"""Action of a rule -> its consequence, and the reason with which it ends the test."""
 
 
 LOOK_AT_TREND = say(
@@ -77,7 +77,7 @@ LOOK_AT_TREND = say(
 
 
 def make_alarm(kind: str, what: str = "", /, **values: object) -> Cause:
-    """Return an alarm of a kind; what: which of its alarms, values: what its words name."""
+    """Return an alarm of a kind; what: which of its alarms, values: for its text."""
     shared = KINDS[kind]
     named = {"0": what, **values}
     title, sentence = (Sentence.of(template, named) for template in (shared.title, shared.sentence))
@@ -87,9 +87,9 @@ def make_alarm(kind: str, what: str = "", /, **values: object) -> Cause:
 
 
 def recorded_text(text: str, key: str) -> str:
-    """Return a text of a recorded alarm with its structure, where the kind of its key says it so.
+    """Return a text of a recorded alarm with its structure, if the kind of its key has it.
 
-    Files have the English text alone; one that names values stays as it was written.
+    Files hold the English text only; a text with values stays as it was written.
     """
     kind, what = kind_of(key), key.rpartition(":")[2]
     fixed = (kind.title, kind.consequence, kind.action) if kind is not None else ()
@@ -113,7 +113,7 @@ def kind_of(key: str) -> Kind | None:
 
 
 def quantity_of(key: str) -> str:
-    """Return the column or channel that the alarm of a key is about, nothing where it is none."""
+    """Return the column or channel concerned by the alarm of a key, empty for none."""
     head, _, rest = key.partition(":")
     if head == "rule":
         return rest.partition(":")[0]
@@ -122,7 +122,7 @@ def quantity_of(key: str) -> str:
 
 
 def key_of(kind: str, what: str = "") -> str:
-    """Return the key of the alarm of a kind about something."""
+    """Return the key of the alarm of a kind about a subject."""
     return f"{kind}:{what}" if what else kind
 
 

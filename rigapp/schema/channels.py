@@ -1,9 +1,9 @@
-"""The channels of a rig in one ordered table: what is measured, where it comes from, what is kept.
+"""The channels of a rig in one ordered table: quantity, source, stored statistics.
 
 Everything that lists channels derives from the table: the columns of a row and of a whole cycle,
 limits, the screen, reports and exports. Every rig has ``BASE``: a load cell with two axes, the size
-of its force, a pair of probes. What a rig file adds in ``[channels.NAME]`` comes after these, so
-that the columns of ``BASE`` keep their places; the slow channels come last.
+of its force, a pair of probes. Channels of ``[channels.NAME]`` in a rig file follow, so
+that the columns of ``BASE`` keep their indices; the slow channels come last.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 STATISTICS = ("max", "min", "rms", "mean", "angle_of_max")
-"""What a row keeps of a sampled channel, as columns ``NAME_max`` and so on."""
+"""Statistics of a sampled channel in a row, as columns ``NAME_max`` and so on."""
 
 _SENTENCES = {
     "max": "maximum",
@@ -25,7 +25,8 @@ _SENTENCES = {
 }
 
 AVERAGES = ("mean", "rms", "max")
-"""What a row keeps beside the newest value of a slow channel, of its readings in the revolution."""
+"""Statistics of a slow channel in a row, besides the newest value: of its readings in the
+revolution."""
 
 LOAD_CELL = "load_cell"
 PROBES = "probes"
@@ -42,10 +43,10 @@ class Column:
 
 
 class Kind(enum.StrEnum):
-    """How the values of a channel come about.
+    """Origin of a channel's values.
 
     SAMPLED: from an input of the data source, simultaneous with the encoder. DERIVED: calculated
-    from sampled ones. SLOW: asked of a device now and then, one value a revolution with its age.
+    from sampled ones. SLOW: polled from a device, one value a revolution with its age.
     """
 
     SAMPLED = "sampled"
@@ -59,9 +60,9 @@ class Channel:
 
     description: what it is, in words. instrument: ``LOAD_CELL``, ``PROBES``, or empty for a free
     one. frame: in which its direction is fixed, empty without one. device: name in the rig file.
-    input: of the data source, or the quantity that a slow device tells. signal_unit: of what comes
-    in. signal_range: the largest size of it, in that unit. latency_s: delay against the encoder.
-    averaged: of a slow one, ``AVERAGES`` are kept; files of before have the newest value alone.
+    input: of the data source, or the quantity of a slow device. signal_unit: of the
+    input. signal_range: its largest magnitude, in that unit. latency_s: delay against the encoder.
+    averaged: for a slow one, ``AVERAGES`` are stored; older files have the newest value only.
     """
 
     name: str
@@ -79,7 +80,7 @@ class Channel:
 
     @property
     def columns(self) -> tuple[Column, ...]:
-        """Return what a row keeps of it, in storage order."""
+        """Return its columns in a row, in storage order."""
         if self.kind is Kind.SLOW:
             return (
                 Column(self.name, "<f8", self.unit, f"newest {self.description}"),
@@ -133,27 +134,27 @@ class ChannelTable:
         return self._by_name[name]
 
     def __contains__(self, name: object) -> bool:
-        """Tell whether there is a channel of that name."""
+        """Return whether there is a channel of that name."""
         return name in self._by_name
 
     @cached_property
     def sampled(self) -> tuple[Channel, ...]:
-        """Return those with an input of the data source."""
+        """Return the channels with an input of the data source."""
         return self._of(Kind.SAMPLED)
 
     @cached_property
     def curves(self) -> tuple[Channel, ...]:
-        """Return those with a value at each sample, derived ones among them."""
+        """Return the channels with a value at each sample, derived ones included."""
         return self._of(Kind.SAMPLED, Kind.DERIVED)
 
     @cached_property
     def slow(self) -> tuple[Channel, ...]:
-        """Return those with one value a revolution."""
+        """Return the channels with one value a revolution."""
         return self._of(Kind.SLOW)
 
     @cached_property
     def free(self) -> tuple[Channel, ...]:
-        """Return those that belong to no instrument, slow ones among them."""
+        """Return the channels that belong to no instrument, slow ones included."""
         return tuple(channel for channel in self.channels if not channel.instrument)
 
     def names_of(self, instrument: str) -> tuple[str, ...]:
@@ -191,7 +192,7 @@ class ChannelTable:
 
     @cached_property
     def place(self) -> dict[str, int]:
-        """Return name -> place of a row's values."""
+        """Return name -> index of a row's values."""
         return {name: index for index, name in enumerate(self.names)}
 
     def _of(self, *kinds: Kind) -> tuple[Channel, ...]:
@@ -228,10 +229,10 @@ BASE = ChannelTable(
         _probe(2, "across the follower (n2)"),
     )
 )
-"""What every rig has; its rig file adds devices, inputs and ranges."""
+"""Channels of every rig; its rig file adds devices, inputs and ranges."""
 
 
 def taken_names(channels: Iterable[Channel]) -> set[str]:
-    """Return the names that the columns of channels take in rows and in whole cycles."""
+    """Return the names used by the columns of channels in rows and in whole cycles."""
     table = ChannelTable(tuple(channels))
     return {column.name for column in (*table.revolution_columns, *table.cycle_columns)}

@@ -1,4 +1,4 @@
-"""The columns of the twin's prediction and of worn profiles."""
+"""Columns of the twin's prediction and of worn profiles."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rigapp.texts import joined, say
 def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[np.float64]:
     """Return values by name in the order of columns, (len(columns),); KeyError names one missing.
 
-    What is no column is a ValueError.
+    Raises ValueError for a name that is not a column.
     """
     if unknown := values.keys() - {column.name for column in columns}:
         raise ValueError(say("no such column: {}", joined(", ", sorted(unknown))))
@@ -24,7 +24,7 @@ def in_order(columns: Sequence[Column], values: Mapping[str, float]) -> NDArray[
 
 
 def by_name(columns: Sequence[Column], row: NDArray[np.float64]) -> dict[str, float]:
-    """Return a row, (len(columns),), by the names of its columns."""
+    """Return a row, (len(columns),), as a mapping by column name."""
     return dict(zip((column.name for column in columns), row.tolist(), strict=True))
 
 
@@ -73,7 +73,7 @@ def prediction_columns() -> tuple[Column, ...]:
 
 
 def _joint_columns() -> tuple[Column, ...]:
-    """Return what the measured force tells of the joint in a revolution."""
+    """Return the columns of the joint by the measured force of a revolution."""
     return (
         Column(
             "friction_coefficient",
@@ -97,7 +97,7 @@ def _joint_columns() -> tuple[Column, ...]:
 
 @cache
 def identified_columns() -> tuple[Column, ...]:
-    """Return what is known of the wear by the revolutions so far; NaN while nothing is."""
+    """Return the columns of the wear identified so far; NaN while unknown."""
     level = f"{IDENTIFIED_LEVEL:.0%} limit"
     return (
         *_with_limits("wear_coefficient", "mm^3/(N m)", "wear coefficient now", level),
@@ -139,10 +139,10 @@ def _with_limits(name: str, unit: str, words: str, level: str) -> tuple[Column, 
 
 
 WEAR_MODELS = ("constant", "running-in", "change")
-"""What can be said of the wear coefficient over a test; ``wear_model`` is a place in it."""
+"""Statements on the wear coefficient over a test; ``wear_model`` is an index of it."""
 
 IDENTIFIED_LEVEL = 0.95
-"""Probability within the credible limits of what is identified."""
+"""Probability within the credible limits of identified quantities."""
 
 PREDICTION_POINTS = 360
 """Points of a predicted curve, crank angles 0 .. 359 degrees."""
@@ -152,7 +152,7 @@ JOINT_CURVES = (
     Column("sliding_speed", "<f4", "m/s", "speed of the pin's surface in the bushing"),
     Column("pressure_velocity", "<f4", "MPa m/s", "product of nominal pressure and sliding speed"),
 )
-"""How the joint is stressed, against the crank angle."""
+"""Load of the joint over the crank angle."""
 
 AGREEMENT = Column(
     "agreement_uncertainty",
@@ -161,18 +161,18 @@ AGREEMENT = Column(
     "expanded uncertainty (k = 2) of measured minus predicted |F|, means over 2 degrees: angle,"
     " tolerances of the mechanism, friction, index, latency, load cell and noise",
 )
-"""Within which a healthy rig agrees with its model."""
+"""Limits within which a healthy rig agrees with its model."""
 
 AGREEMENT_BIN_DEG = 2.0
-"""Over which measured minus predicted is averaged: short enough for the model's sharpest turn, long
-enough that noise averages out."""
+"""Bins over which measured minus predicted is averaged: narrow enough for the model's sharpest
+turn, wide enough that noise averages out."""
 
 CURVES = (
     *(Column(name, "<f4", "N", f"predicted {name}") for name in ("force_1", "force_2", "force")),
     *JOINT_CURVES,
     AGREEMENT,
 )
-"""The curves kept of a revolution that is kept whole, on PREDICTION_POINTS crank angles."""
+"""The stored curves of a whole revolution, on PREDICTION_POINTS crank angles."""
 
 PREDICTED_CURVES = tuple(curve.name for curve in CURVES)
 
@@ -180,10 +180,10 @@ PROFILE_ANGLES_DEG = tuple(range(-180, 181))
 """Angles of a worn profile, 0 at the initial contact point: the follower frame turned by 180."""
 
 PROFILE_CURVES = ("measured", "predicted", "driven", "uncertainty")
-"""What a stored profile has at each angle, mm."""
+"""Curves of a stored profile at each angle, mm."""
 
 PROFILES_PER_DECADE = 24
-"""Worn profiles kept in each decade of revolutions, spaced evenly in the logarithm."""
+"""Number of worn profiles stored in each decade of revolutions, evenly spaced in the logarithm."""
 
 
 @cache

@@ -1,6 +1,6 @@
-"""The one table of what ends a test before its last revolution: the criteria of ``[stop]``.
+"""Table of the criteria that end a test before its last revolution, see ``[stop]``.
 
-A new criterion is one row here and its key in ``config.recipe.StopSection``. Judged are they by
+A new criterion is one row here and its key in ``config.recipe.StopSection``. They are evaluated by
 ``engine.judging.criteria``; recipe, form, check, alarms and report read the words here.
 """
 
@@ -13,14 +13,15 @@ from dataclasses import dataclass
 from rigapp.texts import say
 
 At = Callable[[str], float]
-"""Gives the value of a column, by name."""
+"""Returns the value of a column, by name."""
 
 Sentence = Callable[[float, float, int], str]
-"""Says what met a criterion: value, level, and the number of revolutions of its row or window."""
+"""Describes how a criterion was met: value, level, and the number of revolutions of its row or
+window."""
 
 
 class Sight(enum.Enum):
-    """Where the value comes from: the clocks, every judged revolution, or the twin's answer."""
+    """Source of the value: the clocks, every evaluated revolution, or the twin's answer."""
 
     CLOCK = enum.auto()
     ROW = enum.auto()
@@ -29,14 +30,14 @@ class Sight(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Criterion:
-    """What ends a test when its value, in the unit of its key, is at or above the key's level.
+    """Ends a test when its value, in the unit of its key, is at or above the key's level.
 
     falls: it is met at or below the level instead.
     value: of the columns that ``sight`` gives; a clock has ``time`` (s) and ``running_time`` (h).
-    planned: it is the end that was planned (complete), else a limit (stopped). count: key of how
-    many judged revolutions in a row must reach the level. window: key of the revolutions over which
-    the slope of the value, per 1000 revolutions, is judged in its place. model: why nothing is
-    known of it without the prediction. doubt: the value's expanded uncertainty (k = 2). of_depth:
+    planned: a planned end (complete), else a limit (stopped). count: key of the
+    number of successive revolutions that must reach the level. window: key of the revolutions over
+    which the slope of the value, per 1000 revolutions, is evaluated instead. model: why it is
+    unknown without the prediction. doubt: the value's expanded uncertainty (k = 2). of_depth:
     its columns that follow from the measured wear depth.
     """
 

@@ -1,8 +1,8 @@
-"""Part what an operator reads of a text from its technical details.
+"""Separate the operator's part of a text from its technical details.
 
-Whoever writes a text puts into it, between ‹ and ›, what a library or the operating system said, a
+The author of a text puts between ‹ and › the words of a library or the operating system, a
 register, an address, raw bytes: ``f"The port cannot be opened ‹{error}›; check the cable."``. Logs
-and files keep it whole; who shows it to an operator shows the sentence, with the details folded.
+and files keep the whole text; operators see the sentence, with the details folded.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from typing import Final
 from rigapp.texts import Sentence, braces, sentence_of_error
 
 _DETAILS: Final = re.compile(r"\s*‹([^‹›]*)(?:›|$)| on (\w+://[^\s‹›]+?)(?=:? |:?$)")
-"""The innermost details of a text, up to the end of one that was cut; and where a device is when
-it has no port of its own."""
+"""The innermost details of a text, up to the end of a truncated one; also the location of a device
+without a port of its own."""
 _MARKS: Final = re.compile("([‹›])")
 
 
@@ -25,25 +25,25 @@ def sentence_of(text: str) -> str:
 
 
 def details_of(text: str) -> str:
-    """Return the details of a text, a line each, empty where it has none."""
+    """Return the details of a text, one per line, empty without any."""
     return "\n".join(_parted(text)[1])
 
 
 def marked_details(text: str) -> str:
-    """Return the details of a text marked as such, to stand behind another sentence."""
+    """Return the marked details of a text, to append to another sentence."""
     return "".join(f" ‹{detail}›" for detail in _parted(text)[1])
 
 
 def indented(text: str) -> str:
-    """Return a text as a terminal shows it: the sentence, and below it its details, indented."""
+    """Return a text as a terminal shows it: the sentence, and its details indented below."""
     sentence, details = _parted(text)
     return "\n    ".join((sentence, *details))
 
 
 def error_text(error: BaseException, otherwise: str) -> str:
-    """Return what an error says: a sentence of this program's, else ``otherwise`` with details.
+    """Return an error's sentence if it is of this program, else ``otherwise`` with details.
 
-    The operating system's own words for a file stay: they say what happened.
+    The operating system's own words for a file are kept: they say what happened.
     """
     ours = _is_ours(type(error).__module__) or (type(error) is ValueError and _raised_here(error))
     if ours and str(error):
@@ -57,7 +57,7 @@ def error_text(error: BaseException, otherwise: str) -> str:
 
 
 def _bare(sentence: Sentence) -> Sentence:
-    """Return a sentence without what stands between marks in its template, or in its values."""
+    """Return a sentence without the marked parts of its template and values."""
     if not sentence.values:
         return Sentence(_parted(sentence)[0])
     template, values, depth = "", dict[str, object](), 0
@@ -84,7 +84,7 @@ def _bare(sentence: Sentence) -> Sentence:
 
 
 def _raised_here(error: BaseException) -> bool:
-    """Tell whether this program's own code raised an error: then its text is a sentence."""
+    """Return whether this program's own code raised an error: then its text is a sentence."""
     trace = error.__traceback__
     while trace is not None and trace.tb_next is not None:
         trace = trace.tb_next
@@ -97,7 +97,7 @@ def _is_ours(module: str) -> bool:
 
 def _parted(text: str) -> tuple[str, list[str]]:
     details: list[str] = []
-    # Nearly every text has none, and this is asked for with every repaint.
+    # Nearly every text has none, and every repaint calls this.
     if "‹" not in text and "://" not in text:
         return text, details
     while (match := _DETAILS.search(text)) is not None:

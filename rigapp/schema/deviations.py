@@ -1,4 +1,4 @@
-"""What can explain that a rig differs from its model: causes, columns, and a sentence."""
+"""Explanations of a deviation of a rig from its model: causes, columns, and a sentence."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ DEVIATIONS = {
     say("weight of the pin at the load cell"): "N",
     say("clearance"): "um",
 }
-"""Causes with the unit of how much they differ; ``deviation_cause`` is a place among them."""
+"""Causes with the unit of their deviation; ``deviation_cause`` is an index of them."""
 
 NO_CAUSE, CLEARANCE_CAUSE = "nothing", "clearance"
 _SHOWN_UNITS = {"1": "", "deg": "°", "um": " µm", "%": " %", "mm": " mm", "N": " N"}
@@ -29,7 +29,7 @@ _SHOWN_UNITS = {"1": "", "deg": "°", "um": " µm", "%": " %", "mm": " mm", "N":
 
 @cache
 def deviation_columns() -> tuple[Column, ...]:
-    """Return what explains that a rig differs from its model, see ``DEVIATIONS``."""
+    """Return the columns of the explanation of a deviation from the model, see ``DEVIATIONS``."""
     return (
         Column(
             "deviation_cause",
@@ -58,12 +58,12 @@ def deviation_columns() -> tuple[Column, ...]:
 def deviation_sentence(
     cause: float, value: float, uncertainty: float, alternative: float = 0.0
 ) -> Sentence:
-    """Say what explains a difference beyond all tolerances, in at most two lines; else nothing.
+    """Return the explanation of a deviation beyond all tolerances in at most two lines, else empty.
 
-    As the columns have it: a place in ``DEVIATIONS``, value and U (k = 2) in its unit, another
-    place.
+    Arguments as in the columns: an index of ``DEVIATIONS``, value and U (k = 2) in its unit,
+    another index.
     """
-    if not _is_cause(cause):  # none, or a number that this version does not know
+    if not _is_cause(cause):  # none, or a number unknown to this version
         return Sentence()
     causes = list(DEVIATIONS.items())
     name, unit = causes[int(cause)]

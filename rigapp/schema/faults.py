@@ -1,4 +1,4 @@
-"""A fault of the simulated rig, as fault files, requests and the control channel tell it."""
+"""A fault of the simulated rig, as in fault files, requests and the control channel."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ NotNegative = Annotated[float, msgspec.Meta(ge=0)]
 
 
 class FaultRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """One fault: what, where, when, for how long, how much; see ``simulation.faults``.
+    """One fault: kind, place, begin, duration, size; see ``simulation.faults``.
 
     channel: of a signal fault, by its name in the rig's channel table.
     """

@@ -1,7 +1,7 @@
-"""Lines of the log that programs read: of alarms, limits and signals at rest, as typed records.
+"""Machine-readable lines of the log: alarms, limits and signals at rest, as typed records.
 
-Each is an ``Event`` whose ``key`` says what it is about, ``level`` how bad it is, and ``data`` the
-rest; its sentence is for people and is never read again.
+Each is an ``Event`` with subject ``key``, severity ``level``, and ``data`` for the
+rest; its sentence is for people and is never parsed.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ What = Literal["raised", "cleared", "acknowledged", "shelved", "unshelved", "res
 
 @dataclass(frozen=True, slots=True)
 class LogEntry:
-    """An entry for the log: kind, text, who, values before and after."""
+    """An entry for the log: kind, text, person, values before and after."""
 
     kind: str
     text: str
@@ -45,10 +45,10 @@ class LogEntry:
 
 
 class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Say what happened to an alarm and how it is after it.
+    """Change of an alarm and its state afterwards.
 
-    listed: whether it is on the list of alarms still. first_out: it became the first-out one.
-    cause, consequence, action, ends and value go with a raised alarm, reason and seconds with a
+    listed: whether it is still on the list of alarms. first_out: it became the first-out one.
+    cause, consequence, action, ends and value belong to a raised alarm, reason and seconds to a
     shelved one.
     """
 
@@ -68,7 +68,7 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
 
     @property
     def words(self) -> str:
-        """Return what happened in words."""
+        """Return the change in words."""
         if self.what == "raised":
             return say("raised, first out") if self.first_out else say("raised")
         if self.what == "shelved":
@@ -77,16 +77,16 @@ class AlarmChange(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class LimitChange(msgspec.Struct, frozen=True):
-    """Say what a limit was and is; before: None when there was none."""
+    """Old and new value of a limit; before: None without an old one."""
 
     before: float | None
     after: float
 
 
 class SpecimenWear(msgspec.Struct, frozen=True):
-    """Say how far a specimen was worn when a test of it was begun or resumed.
+    """Wear of a specimen when a test of it was begun or resumed.
 
-    file, revolution: where that was measured last. depth_um with its expanded uncertainty (k = 2).
+    file, revolution: of its last measurement. depth_um with its expanded uncertainty (k = 2).
     """
 
     file: str
@@ -96,10 +96,10 @@ class SpecimenWear(msgspec.Struct, frozen=True):
 
 
 class RestSignals(msgspec.Struct, frozen=True):
-    """Carry what the load cell showed while the crank stood, mV/V.
+    """Signals of the load cell at rest, mV/V.
 
-    noise: standard deviation of one sample. crank_angle_deg: where the crank stood, which tells
-    what spring and weight did to the cell. None where they are not known.
+    noise: standard deviation of one sample. crank_angle_deg: position of the crank, which gives
+    the load by spring and weight. None where unknown.
     """
 
     force_1_mV_per_V: float
@@ -115,7 +115,7 @@ class RestSignals(msgspec.Struct, frozen=True):
 
     @property
     def noise(self) -> tuple[float, float] | None:
-        """Return the noise of both, None where it is not known."""
+        """Return the noise of both, None if unknown."""
         if self.noise_1_mV_per_V is None or self.noise_2_mV_per_V is None:
             return None
         return self.noise_1_mV_per_V, self.noise_2_mV_per_V
@@ -125,7 +125,7 @@ Record = TypeVar("Record", AlarmChange, LimitChange, RestSignals, SpecimenWear)
 
 
 def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: AlarmChange) -> Event:
-    """Return the line about an alarm; ``alarm`` is as it is after the change."""
+    """Return the line about an alarm; ``alarm``: its state after the change."""
     text = say("{}: {}. {}", alarm.title, change.words, alarm.cause)
     return Event(
         time, revolution, ALARM, who, text, after=alarm.state,
@@ -134,7 +134,7 @@ def alarm_line(time: float, revolution: int, who: str, alarm: Alarm, change: Ala
 
 
 def alarm_change(event: Event) -> AlarmChange | None:
-    """Return what a line says of an alarm, None when it is about something else."""
+    """Return the alarm change of a line, None for other lines."""
     result = _record(event, ALARM, AlarmChange)
     if result is None:
         return None
@@ -145,29 +145,29 @@ def alarm_change(event: Event) -> AlarmChange | None:
 
 
 def severity_of(event: Event) -> Severity:
-    """Return how bad the alarm of a line is."""
+    """Return the severity of the alarm of a line."""
     return Severity.CRITICAL if event.level == Severity.CRITICAL else Severity.WARNING
 
 
 def limit_change(event: Event) -> LimitChange | None:
-    """Return how a limit was changed, None when a line is about something else."""
+    """Return the limit change of a line, None for other lines."""
     result = _record(event, LIMIT_CHANGED, LimitChange)
     return result if result is not None and math.isfinite(result.after) else None
 
 
 def newest_limits(events: Iterable[Event]) -> dict[str, float]:
-    """Return the newest value of every limit that was changed, by its name."""
+    """Return the newest value of every changed limit, by its name."""
     changes = ((event.key, limit_change(event)) for event in events)
     return {name: change.after for name, change in changes if change is not None}
 
 
 def rest_signals(event: Event) -> RestSignals | None:
-    """Return the signals at rest, None when a line is about something else."""
+    """Return the signals at rest of a line, None for other lines."""
     return _record(event, REST, RestSignals)
 
 
 def specimen_wear(event: Event) -> SpecimenWear | None:
-    """Return how far the specimen was worn, None when a line is about something else."""
+    """Return the wear of the specimen of a line, None for other lines."""
     return _record(event, SPECIMEN, SpecimenWear)
 
 

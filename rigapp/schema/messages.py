@@ -21,17 +21,17 @@ from rigapp.schema.wire import tree_of
 
 PROTOCOL_VERSION = 4
 FLAT_STATUS = (2, 3)
-"""Versions before, which a viewer understands: their status is flat, the texts of 2 are plain."""
+"""Older versions that a viewer accepts: their status is flat, the texts of 2 are plain."""
 
 NOTE_CHARACTERS = 2000
-"""The longest note, and the longest reason of a command."""
+"""Maximum length of a note, and of the reason of a command."""
 
 
 class RunState(enum.StrEnum):
-    """The states of a run; every way through them ends with the spindle stopped and a reason.
+    """States of a run; every path through them ends with the spindle stopped and a reason.
 
-    CALIBRATING: what people are shown of a rig at rest that a calibration occupies; no state of the
-    engine's own, see ``Status.shown``.
+    CALIBRATING: displayed for a rig at rest that a calibration occupies; not a state of the
+    engine, see ``Status.shown``.
     """
 
     IDLE = "idle"
@@ -52,7 +52,7 @@ AT_REST = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED})
 
 
 class FinishReason(enum.StrEnum):
-    """Why a run ended, as a code; a sentence goes with it."""
+    """Code of the reason why a run ended; a sentence accompanies it."""
 
     COMPLETE = "complete"
     OPERATOR = "operator"
@@ -63,7 +63,7 @@ class FinishReason(enum.StrEnum):
 
 
 class HowEnded(enum.StrEnum):
-    """How a test ended, as it is shown to people."""
+    """How a test ended, for display."""
 
     COMPLETE = "complete"
     OPERATOR = "stopped by operator"
@@ -92,21 +92,22 @@ class Flag(enum.IntFlag):
 
 
 NOT_STEADY = int(Flag.RAMP | Flag.PAUSED | Flag.PARTIAL)
-"""Flags of revolutions away from the set speed: stored and shown, judged by no rule of a test."""
+"""Flags of revolutions away from the set speed: stored and shown, but evaluated by no rule of a
+test."""
 
 
 class Severity(enum.StrEnum):
-    """How bad an alarm is."""
+    """Severity of an alarm."""
 
     WARNING = "warning"
     CRITICAL = "critical"
 
 
 class Ends(enum.StrEnum):
-    """What ends the condition of an alarm, at the latest.
+    """Latest end of an alarm's condition.
 
-    SEEN: the engine sees it end. STAND: the engine sees the spindle stand. CONNECTION: the devices
-    are connected anew. DRIVE: the drive obeys a reset. TEST: the test is over. ENGINE: another
+    SEEN: the engine detects its end. STAND: the spindle is stationary. CONNECTION: the devices
+    are reconnected. DRIVE: the drive accepts a reset. TEST: the test is over. ENGINE: another
     engine is started.
     """
 
@@ -119,9 +120,9 @@ class Ends(enum.StrEnum):
 
 
 class Alarm(msgspec.Struct, frozen=True):
-    """Say what is wrong, what it leads to and what to do.
+    """An alarm: condition, consequence and remedy.
 
-    value: what was measured, of kinds that name one (|F| of an overload, N).
+    value: measured value, for kinds that state one (|F| of an overload, N).
     """
 
     key: str
@@ -141,14 +142,14 @@ class Alarm(msgspec.Struct, frozen=True):
 
 
 class PathReport(msgspec.Struct, frozen=True):
-    """Say what happened to the file of a test, and whether everything in it has a name again."""
+    """Event at the file of a test, and whether all of its content has a name again."""
 
     sentence: str
     saved: bool
 
 
 class Remedy(enum.StrEnum):
-    """What leads from a fault back to a running test, step by step in this order."""
+    """Steps from a fault back to a running test, in this order."""
 
     CAUSE = "cause"
     CONNECT = "connect"
@@ -159,11 +160,11 @@ class Remedy(enum.StrEnum):
 
 
 class Recovery(msgspec.Struct, frozen=True):
-    """Say what leads from a state back to work; see ``engine.views``.
+    """Steps from a state back to a running test; see ``engine.views``.
 
-    step: the next one, NONE while a test runs. verb: the request that does it, empty where only
-    hands or time can. sentence: what to do. left: all steps that are not done, in their order.
-    cause: key of the alarm that it is about, empty when there is none.
+    step: the next one, NONE while a test runs. verb: the request for it, empty for manual
+    work or waiting. sentence: instruction. left: all open steps, in their order.
+    cause: key of the alarm concerned, empty without one.
     """
 
     step: Remedy = Remedy.NONE
@@ -174,7 +175,7 @@ class Recovery(msgspec.Struct, frozen=True):
 
 
 class OpenCalibration(msgspec.Struct, frozen=True):
-    """Show the calibration that occupies the rig: what, who, and since when, UTC seconds."""
+    """The calibration that occupies the rig: type, person, and begin, UTC seconds."""
 
     what: str
     who: str
@@ -182,10 +183,10 @@ class OpenCalibration(msgspec.Struct, frozen=True):
 
 
 class _UnknownIsNone(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Hold numbers that may be unknown: None, absent on the wire, whatever was given for them."""
+    """Base of records whose numbers may be unknown: None, absent on the wire."""
 
     def __post_init__(self) -> None:
-        """Take a number that is not finite as one that is not known, an older engine's too."""
+        """Replace numbers that are not finite by None, those of an older engine too."""
         for name in _may_be_unknown(type(self)):
             value = getattr(self, name)
             if value is not None and not math.isfinite(value):
@@ -200,9 +201,9 @@ def _may_be_unknown(record: type[msgspec.Struct]) -> tuple[str, ...]:
 
 
 class DriveView(_UnknownIsNone, frozen=True):
-    """Show the drive to a viewer; age_s: since it reported this.
+    """State of the drive; age_s: since it was reported.
 
-    A drive need not tell every number: None is not known.
+    A drive may not report every number: None is unknown.
     """
 
     speed_rpm: float | None
@@ -218,10 +219,10 @@ class DriveView(_UnknownIsNone, frozen=True):
 
 
 class ChannelView(_UnknownIsNone, frozen=True):
-    """Show one channel live: its newest raw signal and calibrated value.
+    """Live state of a channel: its newest raw signal and calibrated value.
 
-    calibration: what the value follows from, in words. age_s: of a slow channel's value, None of
-    one that is sampled.
+    calibration: conversion to the value, in words. age_s: of a slow channel's value, None for a
+    sampled one.
     """
 
     name: str
@@ -235,13 +236,13 @@ class ChannelView(_UnknownIsNone, frozen=True):
 
 
 class DeviceView(msgspec.Struct, frozen=True):
-    """Show one device: identity, rate, losses, last error.
+    """State of a device: identity, rate, losses, last error.
 
-    counters: what its driver counted on the line, by name (``bytes_received``, ``crc_errors``,
-    ``retries``), in the order to show it; empty when it counts nothing. wiring: what goes to which
-    input, where the driver says so. advice: what to look at in this device. needed: no test goes on
+    counters: counts of its driver on the line, by name (``bytes_received``, ``crc_errors``,
+    ``retries``), in display order; empty without any. wiring: assignment of the
+    inputs, if the driver states it. advice: checks of this device. needed: no test runs
     without it; one of slow channels may be missing. help: the section of docs/troubleshooting.md
-    that its last error leads to, empty without one.
+    for its last error, empty without one.
     """
 
     name: str
@@ -261,10 +262,10 @@ class DeviceView(msgspec.Struct, frozen=True):
 
 
 class LineReport(msgspec.Struct, frozen=True):
-    """Show the lines that are recorded for a report of an error, or the last report.
+    """Recording of the lines for an error report, or the last report.
 
-    file: the package that is written at the end. since, until: s since 1970; until 0: until it is
-    ended. sentence: what came of it, empty while it is recorded.
+    file: the package written at the end. since, until: s since 1970; until 0: no limit.
+    sentence: result, empty during recording.
     """
 
     file: str
@@ -275,13 +276,13 @@ class LineReport(msgspec.Struct, frozen=True):
 
 
 class EngineStatus(_UnknownIsNone, frozen=True):
-    """Show the engine's own part of a status.
+    """The engine's part of a status.
 
-    operator: who started the newest test. in_command: who may give commands. rows_dropped: not sent
-    to this viewer. queue: the tests of the rig's queue, those that are done among them;
-    queue_works: the next one begins by itself. calibration: what occupies the rig, None without
-    one; the state beside it is the engine's own, as viewers of before know no other. line_report:
-    lines that are recorded for a report, or the last such report, None before the first.
+    operator: who started the newest test. in_command: holder of the control lock. rows_dropped: not
+    sent to this viewer. queue: the tests of the rig's queue, finished ones included; queue_works:
+    the next one begins by itself. calibration: the one that occupies the rig, or None; the state
+    beside it is the engine's own, since older viewers know no other. line_report: lines that are
+    recorded for a report, or the last such report, None before the first.
     """
 
     state: RunState
@@ -298,11 +299,11 @@ class EngineStatus(_UnknownIsNone, frozen=True):
 
 
 class TestStatus(_UnknownIsNone, frozen=True):
-    """Show the test under way, or the last one.
+    """The test under way, or the last one.
 
-    revolution_age_s: since the newest judged revolution ended, None before the first one.
-    criterion_percent: how far before its nearest planned end or stop criterion a test is, in
-    percent of it. step: of so many steps, both 0 where it has none; resting: between two of them;
+    revolution_age_s: since the newest evaluated revolution ended, None before the first one.
+    criterion_percent: distance to its nearest planned end or stop criterion, in
+    percent of it. step: of ``steps``, both 0 without steps; resting: between two of them;
     the test resumes by itself in rest_left_s seconds of this computer. outcome: how it ended, None
     while it is open.
     """
@@ -332,14 +333,14 @@ class TestStatus(_UnknownIsNone, frozen=True):
 
 
 NO_TEST = TestStatus()
-"""What is shown where there is no test."""
+"""Displayed without a test."""
 
 
 class RigStatus(_UnknownIsNone, frozen=True):
-    """Show the rig and its devices.
+    """The rig and its devices.
 
-    speed_rpm, data_age_s: None without a connection. coasting: the crank is being stopped, has no
-    power, and turns. limits_need_pin: only operators with a PIN change limits.
+    speed_rpm, data_age_s: None without a connection. coasting: the crank turns without
+    power during a stop. limits_need_pin: only operators with a PIN change limits.
     """
 
     name: str = ""
@@ -355,9 +356,9 @@ class RigStatus(_UnknownIsNone, frozen=True):
 
 
 class Status(msgspec.Struct, frozen=True, omit_defaults=True):
-    """Show the engine, its test and its rig at one moment; test: None before the first one.
+    """The engine, its test and its rig at one moment; test: None before the first one.
 
-    Snapshots carry it as it is; the answer to a request is flat, see ``tree`` and ``of_tree``.
+    Snapshots contain it as it is; the reply to a request is flat, see ``tree`` and ``of_tree``.
     """
 
     engine: EngineStatus
@@ -367,14 +368,14 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
     recovery: Recovery = Recovery()
 
     def shown(self) -> Status:
-        """Return it with the state that people are shown: an open calibration occupies the rig."""
+        """Return it with the displayed state: an open calibration occupies the rig."""
         if self.engine.calibration is None or self.engine.state not in AT_REST:
             return self
         engine = msgspec.structs.replace(self.engine, state=RunState.CALIBRATING)
         return msgspec.structs.replace(self, engine=engine)
 
     def flat(self) -> dict[str, Any]:
-        """Return the fields of all parts by their names in the answer to a request."""
+        """Return the fields of all parts by their names in the reply to a request."""
         shown: dict[str, Any] = {"alarms": self.alarms, "recovery": self.recovery}
         for part in (self.engine, self.test or NO_TEST, self.rig):
             for name in part.__struct_fields__:
@@ -382,19 +383,19 @@ class Status(msgspec.Struct, frozen=True, omit_defaults=True):
         return shown
 
     def tree(self) -> dict[str, Any]:
-        """Return it as the answer to a request, every field there, None where not known."""
+        """Return it as the reply to a request with every field, None where unknown."""
         return {name: tree_of(value) for name, value in self.flat().items()}
 
     @staticmethod
     def of_tree(tree: Mapping[str, Any]) -> Status:
-        """Return the status of an answer, or of a snapshot of protocol 3 and before."""
+        """Return the status of a reply, or of a snapshot of protocol 3 and older."""
         return Status.of_flat(
             {name: msgspec.convert(tree[name], kind) for name, kind in _types() if name in tree}
         )
 
     @staticmethod
     def of_flat(flat: Mapping[str, Any]) -> Status:
-        """Return the status with such fields; without a test where nothing is said of one."""
+        """Return the status with these fields; without a test if none is mentioned."""
         engine, test, rig = (
             {
                 name: flat[flat_name]
@@ -417,7 +418,7 @@ _FLAT: dict[type[msgspec.Struct], dict[str, str]] = {
     TestStatus: {"title": "test"},
     RigStatus: {"name": "rig"},
 }
-"""The parts of a status whose fields an answer has beside each other, with those renamed there."""
+"""Parts of a status whose fields are merged in a reply, with the names renamed there."""
 
 
 @cache
@@ -434,7 +435,7 @@ def _types() -> tuple[tuple[str, Any], ...]:
 
 
 class Cycle(msgspec.Struct, frozen=True):
-    """Carry one whole revolution for drawing: float32 arrays as bytes, calibrated.
+    """One whole revolution for drawing: float32 arrays as bytes, calibrated.
 
     curves: by channel, in the order of ``ChannelTable.curves``, each in its own unit and frame.
     """
@@ -445,10 +446,10 @@ class Cycle(msgspec.Struct, frozen=True):
 
 
 class WornProfile(msgspec.Struct, frozen=True):
-    """Carry a worn profile, measured and by the model; see ``columns.PROFILE_CURVES``.
+    """A worn profile, measured and by the model; see ``columns.PROFILE_CURVES``.
 
     values: ``profile_columns`` in order, float64. measured, predicted, driven, uncertainty:
-    float32, mm, at PROFILE_ANGLES_DEG; NaN where the pin never came. keep: the schedule wants it
+    float32, mm, at PROFILE_ANGLES_DEG; NaN where the pin never was. keep: due for storage
     in the file.
     """
 
@@ -462,14 +463,14 @@ class WornProfile(msgspec.Struct, frozen=True):
 
 
 class Prediction(msgspec.Struct, frozen=True):
-    """Carry the twin's answer for one revolution.
+    """The twin's prediction for one revolution.
 
     values: the columns of ``prediction_columns`` in order, float64.
     force_1, force_2, force (N), nominal_pressure (MPa), sliding_speed (m/s), pressure_velocity
     (MPa m/s), agreement_uncertainty (N): float32 on PREDICTION_POINTS crank angles, empty where
-    they are not known.
-    profile: a new worn profile, None for most revolutions. checkpoint: what a twin needs to go on
-    from here, empty when nothing changed that it keeps.
+    unknown.
+    profile: a new worn profile, None for most revolutions. checkpoint: state to continue
+    from here, empty if unchanged.
     """
 
     revolution: int
@@ -486,9 +487,9 @@ class Prediction(msgspec.Struct, frozen=True):
 
 
 class RevolutionMeasured(msgspec.Struct, frozen=True):
-    """Ask the twin for a prediction: the measured history of one revolution (float64 as bytes).
+    """Request a prediction: the measured history of one revolution (float64 as bytes).
 
-    temperature_C: of the room, NaN for a rig that does not measure it.
+    temperature_C: of the room, NaN if not measured.
     """
 
     revolution: int
@@ -502,14 +503,14 @@ class RevolutionMeasured(msgspec.Struct, frozen=True):
 
 
 class Snapshot(msgspec.Struct, frozen=True):
-    """Carry what is new since the last snapshot to a viewer, at most 30 times a second.
+    """New data for a viewer since the last snapshot, at most 30 times a second.
 
-    columns: name -> unit of what a row holds, in its order. rows: float64 (n, columns) as bytes;
+    columns: name -> unit of the values of a row, in order. rows: float64 (n, columns) as bytes;
     rows are dropped oldest first
     when a viewer lags, and ``first_row`` shows the gap.
     predictions: float64 (m, columns) of ``prediction_columns`` as bytes.
     profile: the newest worn profile, when there is one since the last snapshot.
-    recorded: of a replay, how many rows of the status's file belong to it; they are not sent.
+    recorded: of a replay, the number of its rows in the status's file; they are not sent.
     """
 
     status: Status
@@ -524,10 +525,10 @@ class Snapshot(msgspec.Struct, frozen=True):
 
 
 class Event(msgspec.Struct, frozen=True):
-    """One line of the append-only log: who did what, with values before and after.
+    """One line of the append-only log: person, action, values before and after.
 
-    text: for people. key: what it is about, of an alarm or a limit its key. level: how bad it is,
-    ``information`` or a ``Severity``. data: what programs read, see ``rigapp.schema.loglines``.
+    text: for people. key: subject, for an alarm or a limit its key. level: ``information``
+    or a ``Severity``. data: for programs, see ``rigapp.schema.loglines``.
     """
 
     time: float
@@ -543,9 +544,9 @@ class Event(msgspec.Struct, frozen=True):
 
 
 class Request(msgspec.Struct, frozen=True):
-    """Ask the engine for something; ``verb`` is one of the service's commands.
+    """A request to the engine; ``verb`` is one of the service's commands.
 
-    client: identity of the viewer that asks, the same for all its requests.
+    client: identity of the requesting viewer, the same for all its requests.
     """
 
     verb: str
@@ -557,7 +558,7 @@ class Request(msgspec.Struct, frozen=True):
 
 
 class Reply(msgspec.Struct, frozen=True):
-    """Answer a request: ok with a result, or not ok with one plain sentence."""
+    """Reply to a request: ok with a result, or not ok with one plain sentence."""
 
     ok: bool
     sentence: str = ""
@@ -566,14 +567,14 @@ class Reply(msgspec.Struct, frozen=True):
 
 
 def as_array(data: bytes, dtype: str = "<f4") -> NDArray[Any]:
-    """Return the array that a message carries as bytes (read-only, 1-D)."""
+    """Return the array in the bytes of a message (read-only, 1-D)."""
     return np.frombuffer(data, dtype=dtype)
 
 
 def last_set_speed(speed: NDArray[Any], quality: NDArray[Any]) -> float:
-    """Return the speed of the last revolution outside of ramps, of the last one where all are, rpm.
+    """Return the speed of the last revolution outside of ramps, else of the last one, rpm.
 
-    speed, quality: the columns (n,), signed and as ``Flag``, NaN where not known. NaN without rows.
+    speed, quality: the columns (n,), signed and as ``Flag``, NaN where unknown. NaN without rows.
     """
     flags = np.nan_to_num(quality).astype(np.int64)
     steady = np.flatnonzero(flags & NOT_STEADY == 0)

@@ -1,4 +1,4 @@
-"""Milestones of a run, for a program that follows it; ``--progress json`` writes them as such."""
+"""Milestones of a run for a supervising program; ``--progress json`` writes them."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from rigapp.schema.messages import Alarm, FinishReason, RunState
 
 
 class Committed(msgspec.Struct, frozen=True, tag_field="event", tag="committed"):
-    """So many revolutions are safe in the file."""
+    """Revolutions that are committed to the file."""
 
     revolutions: int
 
 
 class StateChanged(msgspec.Struct, frozen=True, tag_field="event", tag="state", omit_defaults=True):
-    """The run is in another state. resting: between two steps, and it goes on by itself."""
+    """The run is in another state. resting: between two steps, resumes by itself."""
 
     state: RunState
     reason: str
@@ -30,7 +30,7 @@ class AlarmChanged(msgspec.Struct, frozen=True, tag_field="event", tag="alarm"):
 
 
 class Finished(msgspec.Struct, frozen=True, tag_field="event", tag="finished"):
-    """The test has ended and its file is closed. revolutions: rows safe in the file."""
+    """The test has ended and its file is closed. revolutions: committed rows."""
 
     reason: FinishReason
     sentence: str
@@ -43,7 +43,7 @@ Notice = Committed | StateChanged | AlarmChanged | Finished
 
 
 class Notices(Protocol):
-    """Give the milestones of a run, as the engine's publisher does."""
+    """Source of the milestones of a run, such as the engine's publisher."""
 
     def get(self, timeout_s: float) -> Notice | None:
-        """Return the oldest, None when none came in time."""
+        """Return the oldest, None on time-out."""

@@ -1,4 +1,4 @@
-"""One test of a queue, as the disk keeps it and every viewer sees it."""
+"""One test of a queue, as stored on the disk and shown to every viewer."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import msgspec
 
 
 class ItemState(enum.StrEnum):
-    """How far a test of the queue is. STOPPED: it ended before its time, or could not begin."""
+    """Progress of a test of the queue. STOPPED: it ended early, or could not begin."""
 
     WAITING = "waiting"
     RUNNING = "running"
@@ -19,8 +19,8 @@ class ItemState(enum.StrEnum):
 class QueuedTest(msgspec.Struct, frozen=True):
     """One test of a queue.
 
-    number: by which people name it, never given twice. test: its test file. folder: where its file
-    is made; file: that file, empty until it began. sentence: how it ended.
+    number: identifies it to people, never reused. test: its test file. folder: for its recorded
+    file; file: that file, empty until it began. sentence: how it ended.
     """
 
     number: int

@@ -1,4 +1,4 @@
-"""What a test came to, in a few numbers: a row of the results, and the card at its end."""
+"""Result of a test in a few numbers: a row of the results, and the card at its end."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ def how_ended(status: str, reason_code: str) -> HowEnded:
 
 
 class TestResult(msgspec.Struct, frozen=True):
-    """Say what a test file holds and what the test came to; NaN and 0 where it is not known.
+    """Content of a test file and result of the test; NaN and 0 where unknown.
 
     status: as in ``rigapp info``, or ``not readable``, with why in ``reason``. modified: of the
     file, seconds since 1970. flagged: revolutions with a fault in the data. Uncertainties are
-    expanded (k = 2), that of the force only where it was asked for; the coefficient's limits
-    hold 95 %. force_lower_bound: the force went beyond the measuring range. coefficient_reason:
-    why there is none, and alarms: titles of all that were raised in the test, only where they
-    were asked for. size_bytes: of what the file holds, without the room reserved for what was
-    not recorded. model_depth_um: beside depth_um. depths_um: the wear depth in equal parts of
+    expanded (k = 2), that of the force only on request; the coefficient's limits
+    hold 95 %. force_lower_bound: the force exceeded the measuring range. coefficient_reason:
+    why there is none, and alarms: titles of all that were raised in the test, only on
+    request. size_bytes: of the content of the file, without space reserved for unrecorded
+    data. model_depth_um: at depth_um. depths_um: the wear depth in equal parts of
     the test, its line in a list.
     """
 

@@ -1,4 +1,4 @@
-"""Revolution numbers of the rows of a test: nearly always one after another, so kept as runs."""
+"""Revolution numbers of the rows of a test: nearly always consecutive, so stored as runs."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ Places = NDArray[np.int64]
 
 
 class RowNumbers:
-    """Hold the ascending revolution numbers of rows as runs, two numbers each.
+    """The ascending revolution numbers of rows as runs, two numbers each.
 
     It reads as an array of float64 (n,): 10^7 rows of a test that was never interrupted need one
-    run in place of 80 MB. limit: as if it ended after so many rows; None: all.
+    run in place of 80 MB. limit: number of visible rows; None: all.
     """
 
     def __init__(self) -> None:
@@ -38,13 +38,13 @@ class RowNumbers:
         self._size += len(values)
 
     def follow(self, first: float, count: int) -> None:
-        """Append ``count`` rows whose numbers follow each other from ``first`` on."""
+        """Append ``count`` rows with consecutive numbers from ``first`` on."""
         self.extend(np.array([first]))
         self._size += count - 1
 
     @property
     def breaks(self) -> Places:
-        """Return the rows whose number does not follow the one before; the first row is one."""
+        """Return the rows whose number does not follow the previous one, the first row included."""
         return self._rows
 
     def _last(self) -> float:
@@ -83,7 +83,7 @@ class RowNumbers:
         return self[:].astype(dtype or np.float64, copy=False)
 
     def searchsorted(self, number: float, side: str = "left") -> int:
-        """Return the row before which a number belongs, as ``numpy.searchsorted`` does."""
+        """Return the row before which a number belongs, like ``numpy.searchsorted``."""
         run = int(np.searchsorted(self._numbers, number, side="right")) - 1
         if run < 0 or not len(self):
             return 0

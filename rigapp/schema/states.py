@@ -1,4 +1,4 @@
-"""The states of a run and what leads from one to the next, as one table.
+"""The states of a run and the transitions between them, as one table.
 
 ::
 
@@ -10,8 +10,8 @@
                             +--reset-- fault   <------------------------------+
 
 Between two steps of different speed a test goes from running back to starting, in which the speed
-is changed. Every way out of starting, running, pausing and paused leads through stopping, where the
-spindle is brought to a stand and the file is finished; only then is the state stopped or fault.
+is changed. Every exit from starting, running, pausing and paused leads through stopping, where the
+spindle is stopped and the file is finished; only then is the state stopped or fault.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from rigapp.texts import SentenceError, joined, say
 
 
 class Trigger(enum.StrEnum):
-    """What can happen to a run."""
+    """Triggers of a transition."""
 
     CONNECT = "connect"
     CONNECTED = "connected"
@@ -77,7 +77,7 @@ TABLE: dict[tuple[RunState, Trigger], RunState] = {
     (_R.FAULT, _T.FAILED): _R.FAULT,
     (_R.FAULT, _T.DISCONNECT): _R.IDLE,
 }
-"""(state, trigger) -> next state; what is not here is refused."""
+"""(state, trigger) -> next state; other pairs are refused."""
 
 TURNING = frozenset({_R.STARTING, _R.RUNNING, _R.PAUSING, _R.STOPPING})
 """States in which the spindle may turn."""
@@ -93,15 +93,15 @@ FAULTS = frozenset({FinishReason.DEVICE, FinishReason.STORAGE, FinishReason.INTE
 
 
 class Refused(SentenceError):
-    """Say in one sentence why a command cannot be carried out now, and what to do."""
+    """A command cannot be carried out now; one sentence gives the reason and the remedy."""
 
 
 class Occupied(Refused):
-    """Say which calibration occupies the rig, so that nothing may turn the spindle."""
+    """A calibration occupies the rig, so that nothing may turn the spindle."""
 
 
 class InFault(Refused):
-    """Say why the engine is in fault and what to do. code: what kind of failure led there."""
+    """The engine is in fault; the text gives reason and remedy. code: kind of the failure."""
 
     def __init__(self, sentence: str, code: FinishReason) -> None:
         super().__init__(sentence)
@@ -109,7 +109,7 @@ class InFault(Refused):
 
 
 def refuse_long(what: str, text: str, most: int = NOTE_CHARACTERS) -> None:
-    """Raise Refused when a text is longer than what is stored and shown."""
+    """Raise Refused when a text exceeds the length that is stored and shown."""
     if len(text) > most:
         raise Refused(
             "the {} has {} characters; shorten it to {}", what, f"{len(text):,}", f"{most:,}"
@@ -117,7 +117,7 @@ def refuse_long(what: str, text: str, most: int = NOTE_CHARACTERS) -> None:
 
 
 def transition(state: RunState, trigger: Trigger) -> RunState:
-    """Return the next state; raise Refused when the trigger means nothing in this state."""
+    """Return the next state; raise Refused for a trigger without a transition in this state."""
     following = TABLE.get((state, trigger))
     if following is None:
         possible = [command.value for (at, command) in TABLE if at is state]
@@ -131,18 +131,18 @@ def transition(state: RunState, trigger: Trigger) -> RunState:
 
 
 def is_untimely(sentence: str, trigger: Trigger) -> bool:
-    """Tell whether a refusal says that a trigger means nothing now, and not that it failed."""
+    """Return whether a refusal means an untimely trigger, not a failure."""
     return sentence.startswith(f'"{trigger.value}" is not possible while ')
 
 
 def allowed(state: RunState, trigger: Trigger) -> bool:
-    """Tell whether a trigger is possible in a state."""
+    """Return whether a trigger is possible in a state."""
     return (state, trigger) in TABLE
 
 
 @dataclass(frozen=True, slots=True)
 class Ending:
-    """Say why a run ends. off: take the power off at once instead of a controlled stop."""
+    """Reason for the end of a run. off: power off at once instead of a controlled stop."""
 
     code: FinishReason
     sentence: str
@@ -150,17 +150,17 @@ class Ending:
 
     @property
     def fault(self) -> bool:
-        """Tell whether the run ends in the state fault."""
+        """Return whether the run ends in the state fault."""
         return self.code in FAULTS
 
     @property
     def regular(self) -> bool:
-        """Tell whether nothing is wrong with the rig, so that the crank may turn on to its rest."""
+        """Return whether the rig is sound, so that the crank may turn on to its rest position."""
         return not self.off and self.code in (FinishReason.COMPLETE, FinishReason.OPERATOR)
 
     @property
     def status(self) -> str:
-        """Return the status that the file shows: complete, stopped or fault."""
+        """Return the status of the file: complete, stopped or fault."""
         if self.code is FinishReason.COMPLETE:
             return "complete"
         return "fault" if self.fault else "stopped"

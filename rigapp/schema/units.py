@@ -1,4 +1,4 @@
-"""Units, each said once: how a key names it, how it is written, and what is typed by mistake."""
+"""Units, each defined once: ending of a key, written form, and typical mistakes."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from typing import Final
 class Unit:
     """A unit that the end of a key names.
 
-    words: as a sentence writes it. file: as a test file writes it, that of ``words`` when None,
-    empty where a file leaves it in the name. si: what the key's number is multiplied by to be SI,
-    None where nothing is converted by it. mistaken: units that are typed in its place: name, factor
+    words: written form in a sentence. file: written form in a test file, that of ``words`` when
+    None, empty where a file leaves it in the name. si: factor of the key's number to SI, None
+    without a conversion. mistaken: units typed by mistake: name, factor
     and offset to this one.
     """
 
@@ -68,19 +68,19 @@ _ALL = (
 )  # fmt: skip
 
 UNITS: Final = tuple(sorted(_ALL, key=lambda unit: -len(unit.ending)))
-"""The longer ending comes first."""
+"""Longer endings first."""
 
 MISTAKEN: Final[Mapping[str, tuple[tuple[str, float, float], ...]]] = {
     unit.words: unit.mistaken for unit in UNITS if unit.mistaken
 }
-"""Unit as a sentence writes it -> what is typed by mistake."""
+"""Unit in a sentence -> units typed by mistake."""
 
 NO_UNIT: Final = Unit("", "", "1", 1.0)
 
 
-@lru_cache(1024)  # a window asks for the same few keys two thousand times
+@lru_cache(1024)  # a window requests the same few keys two thousand times
 def unit_of_key(key: str) -> Unit:
-    """Return the unit that the end of a key names, ``NO_UNIT`` when none."""
+    """Return the unit at the end of a key, ``NO_UNIT`` without one."""
     return next((unit for unit in UNITS if key.endswith(unit.ending)), NO_UNIT)
 
 

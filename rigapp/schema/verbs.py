@@ -1,7 +1,7 @@
-"""The one table of what may be asked of an engine: argument record, who may, lane, time-out.
+"""Table of the engine's requests: argument record, permission, priority, time-out.
 
-A new verb is one row here, with a record of its arguments where it has any, and what it does in
-``service.host``. Bounds of the arguments stand in the records and are judged by ``service.bounds``.
+A new verb is one row here, with a record of its arguments if any, and its action in
+``service.host``. Bounds of the arguments are in the records and checked by ``service.bounds``.
 """
 
 from __future__ import annotations
@@ -16,39 +16,39 @@ from rigapp.schema.faults import FaultRecord
 from rigapp.schema.messages import NOTE_CHARACTERS
 
 PATH_CHARACTERS = 4096
-"""Systems take paths of so many bytes."""
+"""Limit of operating systems for the bytes of a path."""
 
 WHAT_CHARACTERS = 100
-"""Of the name of what is calibrated: it is shown in the strip."""
+"""Limit for the name of a calibration, which is shown in the strip."""
 
 Words = Annotated[str, msgspec.Meta(max_length=NOTE_CHARACTERS)]
 Name = Annotated[str, msgspec.Meta(max_length=PATH_CHARACTERS)]
 Pin = Annotated[str, msgspec.Meta(max_length=100)]
 Duration = Annotated[float, msgspec.Meta(ge=0.0, le=1e9)]
 Revolutions = Annotated[Any, msgspec.Meta(extra={"key": "run.revolutions"})]
-"""A number that is judged, and named, like a key of a file; see ``config.ranges``."""
+"""A number that is checked, and named, like a key of a file; see ``config.ranges``."""
 
 
 class Nothing(msgspec.Struct, frozen=True):
-    """Ask without arguments."""
+    """No arguments."""
 
 
 class Reason(msgspec.Struct, frozen=True):
-    """Say why."""
+    """A reason."""
 
     reason: Words = ""
 
 
 class AlarmKey(msgspec.Struct, frozen=True):
-    """Name an alarm; none: all of them."""
+    """Key of an alarm; none: all of them."""
 
     key: Name = ""
 
 
 class Start(msgspec.Struct, frozen=True):
-    """Name the test file, the file to make, and how many revolutions in place of the test's.
+    """The test file, the file to make, and revolutions that override the test's.
 
-    calibration: key of the open calibration that the test is part of.
+    calibration: key of the open calibration to which the test belongs.
     """
 
     test: Name
@@ -58,51 +58,51 @@ class Start(msgspec.Struct, frozen=True):
 
 
 class BeginCalibration(msgspec.Struct, frozen=True):
-    """Name what is calibrated, and the fastest speed at which it turns the spindle, 0: never."""
+    """Calibration type, and the fastest speed at which it turns the spindle, 0: never."""
 
     what: Annotated[str, msgspec.Meta(min_length=1, max_length=WHAT_CHARACTERS)]
     fastest_rpm: Annotated[float, msgspec.Meta(ge=0.0, le=1e5)] = 0.0
 
 
 class CalibrationKey(msgspec.Struct, frozen=True):
-    """Give the key that the beginning of the calibration was answered with."""
+    """Key in the reply to the beginning of the calibration."""
 
     key: Name
 
 
 class ReleaseCalibration(Reason, frozen=True):
-    """Say which calibration is ended: ``since`` of the one that was looked at, 0: whichever."""
+    """Calibration to end: ``since`` of the one that was shown, 0: any."""
 
     since: float = 0.0
 
 
 class File(msgspec.Struct, frozen=True):
-    """Name the file of a test."""
+    """File of a test."""
 
     file: Name
 
 
 class Resume(File, frozen=True):
-    """Name the file of a test to go on with; reason: why it may in spite of what differs."""
+    """File of a test to resume; reason: for resuming in spite of differences."""
 
     reason: Words = ""
 
 
 class QueueAdd(msgspec.Struct, frozen=True):
-    """Name test files for the end of the queue, and the folder for what they record."""
+    """Test files for the end of the queue, and the folder for their recordings."""
 
     tests: tuple[Name, ...]
     folder: Name
 
 
 class QueueRemove(msgspec.Struct, frozen=True):
-    """Name tests of the queue by their numbers."""
+    """Numbers of tests of the queue."""
 
     numbers: tuple[int, ...]
 
 
 class Shelve(msgspec.Struct, frozen=True):
-    """Name an alarm to hide for some minutes, and why."""
+    """Alarm to hide for some minutes, and the reason."""
 
     key: Name
     reason: Words
@@ -110,13 +110,13 @@ class Shelve(msgspec.Struct, frozen=True):
 
 
 class Note(msgspec.Struct, frozen=True):
-    """Carry a note for the log."""
+    """A note for the log."""
 
     text: Annotated[str, msgspec.Meta(max_length=NOTE_CHARACTERS, title="note")]
 
 
 class Extend(msgspec.Struct, frozen=True):
-    """Give the test under way another number of revolutions; pin: where the rig file wants one."""
+    """New number of revolutions of the test under way; pin: if the rig file requires one."""
 
     revolutions: Revolutions
     reason: Words = ""
@@ -124,9 +124,9 @@ class Extend(msgspec.Struct, frozen=True):
 
 
 class SetLimit(msgspec.Struct, frozen=True):
-    """Name a limit, see ``Engine.set_limit``, and its new value, which is judged there.
+    """A limit, see ``Engine.set_limit``, and its new value, which is checked there.
 
-    pin: of who asks, where the rig file wants one.
+    pin: of the operator, if the rig file requires one.
     """
 
     name: Name
@@ -136,16 +136,16 @@ class SetLimit(msgspec.Struct, frozen=True):
 
 
 class Zero(msgspec.Struct, frozen=True):
-    """Name what to zero."""
+    """Instrument to zero."""
 
     what: tuple[Name, ...] = ("load_cell",)
     reason: Words = ""
 
 
 class LinesToReport(msgspec.Struct, frozen=True):
-    """Name the package to write, the devices (none: all), and for how long, 0: until it is ended.
+    """The package to write, the devices (none: all), and the duration, 0: until ended.
 
-    reconnect: the devices are connected anew, so that their set-up is recorded.
+    reconnect: reconnect the devices, so that their set-up is recorded.
     """
 
     file: Name
@@ -155,36 +155,35 @@ class LinesToReport(msgspec.Struct, frozen=True):
 
 
 class FaultKind(msgspec.Struct, frozen=True):
-    """Name a kind of fault of the simulated rig."""
+    """A kind of fault of the simulated rig."""
 
     kind: Name
 
 
 class LastSeconds(msgspec.Struct, frozen=True):
-    """Say how many of the last seconds are wanted."""
+    """Number of the last seconds to return."""
 
     window_s: Duration
 
 
 class Hand(msgspec.Struct, frozen=True):
-    """Say what simulated hands shall do, see ``simulation.simulated_operator``."""
+    """Action of the simulated operator, see ``simulation.simulated_operator``."""
 
     what: Name
     details: dict[str, str | int | float | bool] = {}
 
 
 class Force(msgspec.Struct, frozen=True):
-    """Say whether to take what another has."""
+    """Whether to take over the control of another viewer."""
 
     force: bool = False
 
 
 class Priority(enum.StrEnum):
-    """Where a request waits its turn, and whose workers carry it out.
+    """Queue in which a request waits, with its workers.
 
-    SAFETY: each verb has workers of its own, so that nothing else, however many requests hang,
-    keeps it waiting, and it is never refused for its arguments. The verbs of each other lane share
-    its workers.
+    SAFETY: each verb has workers of its own, so that hanging requests never delay it, and it is
+    never refused for its arguments. The verbs of each other priority share its workers.
     """
 
     SAFETY = "safety"
@@ -193,7 +192,7 @@ class Priority(enum.StrEnum):
 
 
 class Who(enum.StrEnum):
-    """Who may ask: any viewer at any time, or only the one in command while there is one."""
+    """Permission: any viewer at any time, or only the holder of the control lock, if any."""
 
     ANYONE = "anyone"
     HOLDER = "holder of command"
@@ -201,9 +200,9 @@ class Who(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Verb:
-    """How the service treats a verb.
+    """Handling of a verb by the service.
 
-    timeout_s: how long its sender waits for the answer unless it says otherwise. urgent: it never
+    timeout_s: default time-out of the sender. urgent: it never
     waits behind another request of the same viewer.
     """
 
@@ -260,5 +259,5 @@ VERBS = {
 
 
 def verb_of(name: str) -> Verb:
-    """Return how a verb is treated, by name; one that nobody knows like work without arguments."""
+    """Return the handling of a verb by name; an unknown one is work without arguments."""
     return VERBS.get(name) or Verb(name, Nothing, Priority.WORK)

@@ -1,4 +1,4 @@
-"""Records as they travel between processes, and as files and scripts have them.
+"""Serialisation of records between processes, and for files and scripts.
 
 On the wire a ``Sentence`` keeps its structure; in JSON it is its English text.
 """
@@ -15,7 +15,7 @@ from rigapp.texts import Sentence
 Record = TypeVar("Record")
 
 SENTENCE: Final = 1
-"""Code of the extension of MessagePack: an array of the template and its values by their names."""
+"""Extension code of MessagePack: an array of the template and its values by their names."""
 
 
 def encode(record: Any) -> bytes:
@@ -26,7 +26,7 @@ def encode(record: Any) -> bytes:
 def decode(body: bytes, kind: type[Record]) -> Record:
     """Return a record of a kind; raise DecodeError or ValidationError of msgspec.
 
-    Where the record has a string, a sentence is taken as well: older programs send strings.
+    A string field accepts a sentence as well: older programs send strings.
     """
     return msgspec.convert(_DECODER.decode(body), kind)
 
@@ -42,7 +42,7 @@ def tree_of(record: Any) -> Any:
 
 
 def parts_of_sentence(sentence: Sentence) -> list[Any]:
-    """Return the template of a sentence and, where it has them, its values: for JSON."""
+    """Return the template of a sentence and its values, if any: for JSON."""
     values = {
         name: parts_of_sentence(value) if isinstance(value, Sentence) else value
         for name, value in sentence.values.items()
@@ -51,7 +51,7 @@ def parts_of_sentence(sentence: Sentence) -> list[Any]:
 
 
 def sentence_of_parts(parts: Any) -> Sentence:
-    """Return the sentence of its parts; raise ValueError or TypeError where they are of none."""
+    """Return the sentence of its parts; raise ValueError or TypeError for invalid parts."""
     template, values = (*parts, {})[:2]
     if not isinstance(template, str):
         raise TypeError(template)
@@ -61,7 +61,7 @@ def sentence_of_parts(parts: Any) -> Sentence:
 
 def _extended(value: object) -> Ext:
     if not isinstance(value, Sentence):
-        # The error by which msgspec knows that a type is not one of ours.
+        # msgspec expects this error for an unsupported type.
         raise NotImplementedError(f"{type(value).__name__} cannot be sent")
     return Ext(SENTENCE, encode([value.template, value.values]))
 

@@ -1,4 +1,4 @@
-"""The words of the alarm list, each with its one meaning.
+"""The terms of the alarm list and their meanings.
 
 The window shows them as tool tips; the table of the operator's guide says the same.
 """
@@ -27,4 +27,4 @@ WORDS: Mapping[str, str] = {
         " errors on its line are counted beside the device and are no warning"
     ),
 }
-"""A word as the window shows it, and what it means."""
+"""Term as shown in the window -> meaning."""

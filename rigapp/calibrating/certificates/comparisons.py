@@ -1,4 +1,4 @@
-"""Certificates of a comparison: a free channel with its reference, a pin that turns.
+"""Certificates of a comparison: a free channel with its reference, a turning pin.
 
 The running check compares the pin's inertia force with the reading of the load cell.
 """

@@ -25,7 +25,7 @@ STYLES = (("#0072B2", "o", "-"), ("#D55E00", "s", "--"))
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """The parts that a subject adds to a certificate.
+    """The parts of a certificate specific to a calibration type.
 
     statements: method, and limits of the results. tables: of the results. heading: of the figures.
     calibrated: the range that was calibrated, in words. conditions: rows of further conditions.
@@ -43,7 +43,7 @@ class Parts:
 
 
 def say(template: str, content: Content, otherwise: str = UNSTATED) -> str:
-    """Return a template (``str.format``) filled from a record; otherwise: where that lacks it."""
+    """Return a template (``str.format``) filled from a record; otherwise: if a value is missing."""
     try:
         return template.format_map(content)
     except (KeyError, IndexError, TypeError):

@@ -253,7 +253,7 @@ def _conditions(settings: Content, creep: Content | None) -> list[Row]:
 
 
 def _in_use(use: Content, creep: Content | None) -> dict[str, Any]:
-    """Return the contributions in use for IN_USE; seldom stated ones only where they are."""
+    """Return the contributions in use for IN_USE; optional ones only if stated."""
     more = "".join(say(words, use) for key, words in SELDOM.items() if use.get(key))
     return {**use, "crept": _crept(use, creep), "more": more}
 
