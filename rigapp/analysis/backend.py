@@ -1,4 +1,4 @@
-"""A test file as xarray sees it: its groups as datasets, cut to what is safe, read when needed.
+"""A test file as an xarray backend: its groups as datasets, cut to committed rows, read on demand.
 
 ``xarray.open_dataset(file, engine="rigapp", group="revolutions")`` does it for xarray's own users.
 """
@@ -30,11 +30,11 @@ ROWS = {
 """Groups of a test, each with the dimension along which it grows."""
 
 _PROFILE = "profile_"
-"""In the file the columns of worn profiles begin so; they share a group with the prediction."""
+"""Prefix of the columns of worn profiles in the file, which share a group with the prediction."""
 
 
 class StoredArray(BackendArray):  # type: ignore[misc]
-    """Read a column of a file piece by piece; each piece opens the file for itself."""
+    """Read a column of a file in pieces; each piece opens the file separately."""
 
     def __init__(self, path: Path, variable: StoredVariable) -> None:
         self._path, self._variable = path, variable
@@ -87,12 +87,12 @@ class RigappBackend(BackendEntrypoint):  # type: ignore[misc]
         )
 
     def guess_can_open(self, filename_or_obj: object) -> bool:
-        """Leave files to the engines of their format where this one is not asked for."""
+        """Return False: files belong to their formats' engines unless this one is requested."""
         return False
 
 
 def _variable(path: Path, stored: StoredVariable, dims: tuple[str, ...]) -> xarray.Variable:
-    """Return a column that is read when it is needed; words, which are short, at once."""
+    """Return a column that is read on demand; short texts are read at once."""
     values: Any = indexing.LazilyIndexedArray(StoredArray(path, stored))
     if stored.dtype.kind == "S":
         with open_test(path) as reader:
@@ -105,7 +105,7 @@ def _variable(path: Path, stored: StoredVariable, dims: tuple[str, ...]) -> xarr
 def _columns(
     reader: TestReader, path: Path, stream: str, *dims: str, prefix: str = ""
 ) -> dict[str, xarray.Variable]:
-    """Return the columns of a stream by name, of a dimension each axis."""
+    """Return the columns of a stream by name, one dimension per axis."""
     if not reader.has(stream):
         return {}
     return {
@@ -145,7 +145,7 @@ def _prediction(reader: TestReader, path: Path) -> xarray.Dataset:
 
 
 def _events(reader: TestReader, path: Path) -> xarray.Dataset:
-    """Return the log, a line an event, whole however many rows of the file it takes."""
+    """Return the log, one line per event, regardless of its rows in the file."""
     events = reader.events()
     attributes = reader.attributes("events")
     columns: Mapping[str, Callable[[Any], Any]] = {
@@ -163,7 +163,7 @@ def _events(reader: TestReader, path: Path) -> xarray.Dataset:
 
 def _profiles(reader: TestReader, path: Path) -> xarray.Dataset:
     result = _columns(reader, path, "profiles", "revolution", "angle", prefix=_PROFILE)
-    if not result:  # a file of before, or of a test without a twin
+    if not result:  # an older file, or a test without a twin
         empty = reader.profiles()
         del empty["angle"]
         dims, about = ("revolution", "angle"), reader.attributes("profiles")

@@ -1,4 +1,4 @@
-"""Pictures of a recorded test in one line each; a notebook shows what is returned."""
+"""Pictures of a recorded test, one call each; a notebook shows the returned figure."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from rigapp.report.testreport.plots import COLOURS, DEPTHS
 from rigapp.storage import TestReader, open_test
 
 BESIDE: Mapping[str, Any] = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5)}
-"""Of a legend: right of the axes."""
+"""Location of a legend: right of the axes."""
 
 
 class Pictures:
     """Draw a test; each method returns a matplotlib figure.
 
-    Every one raises UnusableInput where the file does not hold what it shows.
+    Each raises UnusableInput if the file lacks its data.
     """
 
     def __init__(self, path: Path) -> None:
@@ -77,7 +77,7 @@ class Pictures:
     def wear(self) -> Any:
         """Draw the wear depth: measured with its uncertainty, by the model, and as predicted.
 
-        The predicted bands are there once the wear coefficient of the test is known.
+        The predicted bands are drawn once the wear coefficient of the test is known.
         """
         known = identified_test(self._path)
         with open_test(self._path) as reader:
@@ -119,7 +119,7 @@ class Pictures:
 
 
 def _depth(axes: Any, table: dict[str, Any], name: str) -> bool:
-    """Draw one course of the depth, with its band where it has an uncertainty; False without."""
+    """Draw a depth over the revolutions, with a band for its uncertainty; False without data."""
     values = table.get(name)
     if values is None or not np.isfinite(values).any():
         return False

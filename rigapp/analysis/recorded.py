@@ -1,4 +1,4 @@
-"""What ``rigapp.open`` and ``rigapp.open_many`` return: a recorded test, and many in one table."""
+"""Results of ``rigapp.open`` and ``rigapp.open_many``: a recorded test, and many in one table."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ Paths = str | os.PathLike[str] | Iterable[str | os.PathLike[str]]
 
 
 class RecordedTest:
-    """A test file, running, interrupted or ended; what is asked for is as it stands then.
+    """A test file, running, interrupted or ended; each access returns the present content.
 
-    Each dataset holds the rows that are safe, with ``units`` and ``long_name``, dates as
-    ``datetime64``. Columns are read when they are used; of a running test a dataset keeps its
-    length, and the next that is asked for has the newer rows too. No file is held open.
+    Each dataset holds the committed rows, with ``units`` and ``long_name``, dates as
+    ``datetime64``. Columns are read on demand; of a running test a dataset keeps its
+    length, and the next one has the newer rows too. No file is held open.
     """
 
     def __init__(self, path: str | os.PathLike[str], chunks: int | None = None) -> None:
-        """Open a test; raise UnusableInput for what is none, and for chunks without Dask."""
+        """Open a test; raise UnusableInput for another file, and for chunks without Dask."""
         self.path = Path(path)
         self._chunks = chunks
         self._held: dict[str, tuple[object, xarray.Dataset]] = {}
@@ -57,13 +57,13 @@ class RecordedTest:
     def cycles(self) -> xarray.Dataset:
         """Return the samples of the whole cycles over ``sample``, and an index over ``revolution``.
 
-        A contiguous ragged array, as in the file; ``cycle`` and ``even_cycles`` take it apart.
+        A contiguous ragged array, as in the file; ``cycle`` and ``even_cycles`` split it.
         """
         return self._dataset("cycles")
 
     @property
     def prediction(self) -> xarray.Dataset:
-        """Return what the twin told over ``revolution``, its curves over ``curve_revolution``."""
+        """Return the twin's predictions over ``revolution``, curves over ``curve_revolution``."""
         return self._dataset("prediction")
 
     @property
@@ -84,7 +84,7 @@ class RecordedTest:
 
     @property
     def calibration(self) -> dict[str, Any]:
-        """Return the calibration records that the test was measured with."""
+        """Return the calibration records of the test."""
         with open_test(self.path) as reader:
             return reader.calibration()
 
@@ -95,19 +95,19 @@ class RecordedTest:
 
     @property
     def info(self) -> dict[str, Any]:
-        """Return what ``rigapp info`` shows, and title, people, specimen and times."""
+        """Return the output of ``rigapp info``, and title, people, specimen and times."""
         with open_test(self.path) as reader:
             return {**reader.metadata(), **reader.summary()}
 
     @property
     def plot(self) -> Pictures:
-        """Return what draws the test."""
+        """Return the plots of the test."""
         from rigapp.analysis.pictures import Pictures
 
         return Pictures(self.path)
 
     def cycle(self, revolution: int) -> xarray.Dataset:
-        """Return one whole cycle over its ``sample``; raise UnusableInput when it is not kept."""
+        """Return one whole cycle over its ``sample``; raise UnusableInput when it is not stored."""
         cycles = self.cycles
         places = np.flatnonzero(cycles["revolution"].values == revolution)
         if places.size == 0:
@@ -120,7 +120,7 @@ class RecordedTest:
         return cycle.isel(sample=slice(first, first + int(cycle["count"])))
 
     def even_cycles(self, points: int = 360, method: Method = "linear") -> xarray.Dataset:
-        """Return the whole cycles over ``revolution`` and ``angle``, so many angles a turn.
+        """Return the whole cycles over ``revolution`` and ``angle``, with ``points`` angles a turn.
 
         method: linear, or band-limited for spectra and differences. ``force`` is |F| of the
         components on these angles; raw signals and sample times are left out. Raises ValueError for
@@ -160,14 +160,14 @@ class RecordedTest:
 
 
 class RecordedTests(Sequence[RecordedTest]):
-    """Test files in the order of their names; ``table`` says what each came to.
+    """Test files in the order of their names; ``table`` holds their results.
 
-    Datasets are those of all tests one after another; the coordinate ``test`` names the file of
-    each row. Files that cannot be read are in the table alone, with their reason.
+    Datasets are the concatenated ones of all tests; the coordinate ``test`` names the file of
+    each row. Unreadable files are only in the table, with the reason.
     """
 
     def __init__(self, paths: Paths, chunks: int | None = None) -> None:
-        """Open tests by a pattern or paths; raise UnusableInput where there are none."""
+        """Open tests by a pattern or paths; raise UnusableInput if there are none."""
         self.paths = _files(paths)
         self._results = [result_of(path) for path in self.paths]
         self._tests = [
@@ -190,7 +190,7 @@ class RecordedTests(Sequence[RecordedTest]):
 
     @property
     def table(self) -> xarray.Dataset:
-        """Return a row a file over ``test``: status, specimen, largest force, wear, coefficient."""
+        """Return one row per file over ``test``: status, specimen, largest force, wear, etc."""
         columns = {
             name: (
                 "test",
@@ -213,7 +213,7 @@ class RecordedTests(Sequence[RecordedTest]):
 
     @property
     def prediction(self) -> xarray.Dataset:
-        """Return what the twins told of all tests, over ``revolution``."""
+        """Return the predictions of the twins of all tests, over ``revolution``."""
         return self._joined("prediction")
 
     @property
@@ -238,7 +238,7 @@ class RecordedTests(Sequence[RecordedTest]):
         return {path.stem: result.status for path, result in results}
 
     def _joined(self, group: str) -> xarray.Dataset:
-        """Return what grows along the group's rows, of all tests one after another."""
+        """Return the concatenated datasets of a group of all tests."""
         rows = ROWS[group]
         parts = []
         for test in self:
@@ -274,13 +274,13 @@ _TABLE = (
     ("wear_coefficient_high", "coefficient_high", "mm^3/(N m)", "upper 95 % limit of it"),
     ("residual_rms", "residual_rms_N", "N", "RMS of measured minus predicted |F|"),
 )
-"""Columns of a table of tests: name, field of its result, unit and what it is."""
+"""Columns of a table of tests: name, field of its result, unit and description."""
 
 _TIMES = ("started", "ended")
 
 
 def _column(values: list[Any], name: str) -> NDArray[Any]:
-    """Return a column of a table; moments as UTC dates, not known ones as NaT."""
+    """Return a column of a table; moments as UTC dates, unknown ones as NaT."""
     if name not in _TIMES:
         return np.array(values)
     utc = [
@@ -293,7 +293,7 @@ def _column(values: list[Any], name: str) -> NDArray[Any]:
 
 
 def _files(paths: Paths) -> tuple[Path, ...]:
-    """Return the files of a pattern, of a folder, or as they are given; raise UnusableInput."""
+    """Return the files of a pattern or a folder, or the given ones; raise UnusableInput."""
     if not isinstance(paths, (str, os.PathLike)):
         result = tuple(Path(path) for path in paths)
     elif Path(paths).is_dir():

@@ -8,9 +8,9 @@ from typing import Final
 from rigapp.presentation.translation import Text, tr
 
 THIN: Final = "\u202f"
-"""Between groups of three digits: a thin space at which no line is broken."""
+"""Separator of groups of three digits: a thin space without line break."""
 UNKNOWN: Final = "–"
-"""In place of a value that is not known."""
+"""Shown for an unknown value."""
 
 _UNITS: Final[tuple[tuple[str, Text], ...]] = (
     ("um per 1000 revolutions", "µm per 1000 rev"),

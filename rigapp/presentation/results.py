@@ -1,4 +1,4 @@
-"""Texts of the result of a recorded test: headline figures, and how far they can be trusted."""
+"""Texts of the result of a recorded test: headline figures and their reliability."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class KeyNumber:
 
 @dataclass(frozen=True, slots=True)
 class TrustLine:
-    """A reason to trust a result, or what to bear in mind."""
+    """A reason to trust a result, or a caution."""
 
     good: bool
     text: str
@@ -77,7 +77,7 @@ def _force(result: TestResult) -> KeyNumber:
         number = grouped(result.force_max_revolution)
         line = tr("cycle {} at {:.0f}°", number, result.force_max_angle_deg)
     value = with_uncertainty(result.force_max_N, result.force_uncertainty_N, "N")
-    if result.force_lower_bound:  # beyond the measuring range nothing is known of its uncertainty
+    if result.force_lower_bound:  # beyond the measuring range its uncertainty is unknown
         value = f"≥ {with_uncertainty(result.force_max_N, math.nan, 'N')}"
     return KeyNumber(tr("Largest force"), value, line)
 

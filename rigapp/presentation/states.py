@@ -57,7 +57,7 @@ USUAL: Final[dict[RunState, Text]] = {
 
 
 def is_resting(status: Status) -> bool:
-    """Tell whether the test rests between two steps and resumes by itself."""
+    """Return whether the test rests between two steps and resumes by itself."""
     test = status.test or NO_TEST
     return test.resting and status.engine.state is RunState.PAUSED
 
@@ -75,7 +75,7 @@ def state_word(status: Status) -> str:
 
 
 def rest_text(status: Status) -> str:
-    """Return how long a rest lasts still, and which step it belongs to."""
+    """Return the remaining time of a rest, and the step to which it belongs."""
     test = status.test or NO_TEST
     left = math.ceil(test.rest_left_s)
     return tr("{} s left, step {} of {}", left, test.step, test.steps)
@@ -97,7 +97,7 @@ def calibration_words(calibration: OpenCalibration) -> str:
 
 
 def occupied_text(status: Status) -> str:
-    """Return why nothing turns the spindle while a calibration is open."""
+    """Return why the spindle cannot turn while a calibration is open."""
     text: Text = (
         "Calibrating: {}. Nothing starts until it ends: close it, or press End calibration."
     )
@@ -144,7 +144,7 @@ def _unnamed(status: Status, word: str) -> str:
 
 
 def listed_alarms(alarms: Iterable[Alarm]) -> list[Alarm]:
-    """Return the alarms to show: those that are not over, and not shelved."""
+    """Return the alarms to show: those that have not ended and are not shelved."""
     return [alarm for alarm in alarms if alarm.state not in ("normal", "shelved")]
 
 

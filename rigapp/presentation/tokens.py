@@ -1,4 +1,4 @@
-"""Every colour and size of the window, light and dark, in one place.
+"""Colours and sizes of the window, light and dark.
 
 Colour means that something is not normal, the accent that something is chosen or comes next; in the
 normal state only Stop is red. Curves can be told apart with any colour blindness.

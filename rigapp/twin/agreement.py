@@ -1,4 +1,4 @@
-"""The band within which a healthy rig agrees with its prediction: of measured minus predicted.
+"""Band of measured minus predicted within which a healthy rig agrees with its prediction.
 
 The band contains the uncertainty of the angle, the tolerances of the mechanism, the joint's
 friction, the index, the latency, the load cell, and the noise of the mean over a bin.
@@ -35,7 +35,7 @@ SAME_DEPTH = 20e-6
 REMEMBERED = 10.0
 """Revolutions over which the part by the angle is averaged: in a single one it is random."""
 UNLIKE = 8.0
-"""Ratio of variances from which a revolution is not like those before it: calmer after a run-up, or
+"""Ratio of variances from which a revolution differs from earlier ones: calmer after a run-up, or
 with a jerk of the crank. Chance alone makes it 4."""
 
 
@@ -88,7 +88,7 @@ class AgreementBand:
         doubt: PredictionUncertainty,
         depth: float,
     ) -> Array:
-        """Return it for a revolution with its prediction, of a bushing worn by depth, m."""
+        """Return the band of a revolution with its prediction, for a bushing worn by depth, m."""
         speed = float(np.mean(motion.speed))
         if not abs(speed - self._speed) <= SAME_SPEED * abs(speed):
             self._open, self._tolerance, self._seen = None, None, 0

@@ -1,7 +1,7 @@
 """A bushing of the model that wears ahead of the real one, for the elastic approach by depth.
 
-Approach and depth belong together whatever the wear coefficient is: it decides only how fast both
-come. So the approach at the *measured* depth is removed, however wrong the model's wear is.
+Approach depends on depth, whatever the wear coefficient is: it sets only how fast both
+grow. So the approach at the *measured* depth is removed, however wrong the model's wear is.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ GROWTH = 0.15
 AHEAD = 1.3
 """The table reaches further than the requested depth by this factor."""
 FIRST_REACH = 10e-6
-"""The table begins with depths up to this, m."""
+"""The table begins with depths up to this value, m."""
 ANY_COEFFICIENT = 1e-12
 """Wear coefficient of a bushing whose model does not wear, m^2/N; the table is the same for any."""
 
@@ -37,7 +37,7 @@ log = logging.getLogger(__name__)
 
 @dataclass(slots=True)
 class BushingAhead:
-    """Wear a new bushing under the loads of a revolution, as far as depths are requested."""
+    """Wear a new bushing under the loads of a revolution, up to the requested depth."""
 
     parameters: Parameters
     loads: CycleLoads

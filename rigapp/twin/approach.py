@@ -33,12 +33,12 @@ class Approach:
         return np.asarray(self._shares(force) @ (low + row % 1.0 * (up - low)))
 
     def mean(self, force: Array) -> MeanApproach:
-        """Return the mean of ``at`` over forces (n,), N, each weighted by itself."""
+        """Return the mean of ``at`` over forces (n,), N, weighted by the forces."""
         means = self.table @ (force @ self._shares(force) / force.sum())
         return MeanApproach(self.depths, np.asarray(means))
 
     def _shares(self, force: Array) -> Array:
-        """Return how much of each force of the table is in each of some forces, (n, M)."""
+        """Return the interpolation weights (n, M) of the table's forces for some forces."""
         above = np.minimum(np.searchsorted(self.forces, force), self.forces.size - 1)
         low = np.where(above > 0, self.forces[above - 1], 0.0)
         beyond = force > self.forces[-1]
@@ -58,7 +58,7 @@ class MeanApproach:
     means: Array
 
     def at(self, depth: float) -> float:
-        """Return it at a depth (m), m."""
+        """Return the mean approach at a depth (m), m."""
         return float(np.interp(depth, self.depths, self.means))
 
     def depth_of(self, beyond: float) -> float:
@@ -69,7 +69,7 @@ class MeanApproach:
         return depth + outside
 
     def gain(self, depth: float) -> float:
-        """Return the metres of depth in a metre of the probes' reading, at a depth (m)."""
+        """Return the change of depth per change of the probes' reading, at a depth (m)."""
         step = 1e-7
         seen = self.at(depth + step) - self.at(depth - step)
         return 1.0 / max(1.0 + seen / (2.0 * step), 0.2)

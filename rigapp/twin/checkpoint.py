@@ -108,7 +108,7 @@ def packed(twin: Twin) -> bytes:
 
 
 def restore(twin: Twin, checkpoint: bytes) -> bool:
-    """Put a checkpoint into a new twin; False, and nothing changed, when it does not fit."""
+    """Restore a checkpoint into a new twin; return False, nothing changed, if it does not fit."""
     record = _decoded(checkpoint)
     if record is None:
         return False
@@ -149,7 +149,7 @@ def _recurrent(record: RecurrentRecord) -> RecurrentMotion:
 def take_over(twin: Twin, checkpoint: bytes, same_model: bool) -> None:
     """Continue a new twin with the bushing of another test.
 
-    same_model: of both tests, and its readings are believed; else only the probes' reading of the
+    same_model: of both tests, and its readings are valid; else only the probes' reading of the
     new bushing is taken over, the model's bushings begin unworn, and no coefficient is identified
     from a wear that they lack.
     """

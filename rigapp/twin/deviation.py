@@ -50,9 +50,9 @@ log = logging.getLogger(__name__)
 POINTS = 120
 """Parts of the revolution whose means are compared; three of ``GRID``."""
 AVERAGED = 20.0
-"""Revolutions over which the difference is averaged."""
+"""Number of revolutions over which the difference is averaged."""
 EACH = 10
-"""A cause is searched for once in so many revolutions."""
+"""Number of revolutions between two searches for a cause."""
 FALSE_ALARM = 0.01
 """Probability that a healthy rig is reported to differ, over all causes."""
 LIMIT = float(-ndtri(0.5 * FALSE_ALARM / (len(DEVIATIONS) - 1)))
@@ -252,7 +252,7 @@ def _causes(
 def _cell_columns(force: Array, cell: CellDoubt) -> Array:
     """Return the errors of the cell beside its gain, (columns, 2 POINTS), N.
 
-    Its zero, unlike gains, cross-talk, and a turn on the crank.
+    Its zero, a difference of gains, cross-talk, and a turn on the crank.
     """
     first, second = force
     ones, zeros = np.ones(GRID.size), np.zeros(GRID.size)

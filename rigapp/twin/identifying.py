@@ -1,4 +1,4 @@
-"""The wear coefficient beside the test: readings in bins, a life computed ahead, their posterior.
+"""Wear coefficient during the test: readings in bins, a life computed ahead, their posterior.
 
 All of it is a function of the revolutions so far, in their order, and of nothing else: a twin that
 continues from a checkpoint gives the same numbers to the last bit.
@@ -47,8 +47,8 @@ from rigapp_model.wear.loads import CycleLoads
 from rigapp_model.wear.state import WearState, unworn_state
 
 LIFE_ERROR = 0.01
-"""The computed life is right to this part of the depth: so much do two independent methods for
-elasticity and wear differ at an equal coefficient, the model's and the simulated rig's."""
+"""Relative error of the computed life in depth: the difference of two independent methods for
+elasticity and wear at an equal coefficient, the model's and the simulated rig's."""
 LEAST_REFERENCE, NO_REFERENCE = 1e-8, 1.0
 """The zero of the depth is never better known than the first, m: the resolution of the probes. The
 second stands for an unknown one."""
@@ -65,12 +65,12 @@ the reading by the stated clearance."""
 WIDTH = 1e-4
 """Standard tolerance of the bushing's width, m: turned polymers are within 0.2 mm."""
 STEP_SHARE, FIRST_CYCLES = 0.05, 2.0
-"""The life goes on by so much of its cycles, and by so many at first: halving moves no depth by
-1e-3. One step a revolution, so that none waits for it."""
+"""Step of the life as a part of its cycles, and the first step in cycles: halving changes no depth
+by 1e-3. One step a revolution, so that none waits for it."""
 AHEAD = 1.4
 """The life reaches further than depth, criterion and planned end by this factor."""
 FIRST_REACH = 40e-6
-"""It reaches this depth at least, m: what an early posterior still holds possible."""
+"""Least depth of the computed life, m: within the limits of an early posterior."""
 MM3_PER_NM = 1e9
 REMAINING = tuple(f"remaining_revolutions{end}" for end in ("", "_low", "_high"))
 NEVER = (math.nan, math.nan, math.nan)
@@ -100,7 +100,7 @@ class IdentifiedRecord(msgspec.Struct, frozen=True):
 
 @dataclass(slots=True)
 class LifeAhead:
-    """Wear a new bushing under one load, a step at a time, as far as is requested."""
+    """Wear a new bushing under one load, one step at a time, as far as requested."""
 
     parameters: Parameters
     loads: CycleLoads
@@ -170,7 +170,7 @@ class LifeAhead:
 
 
 def _without_running_in(parameters: Parameters) -> Parameters:
-    """Return parameters whose wear depends on progress alone: running-in is a statement here."""
+    """Return parameters whose wear depends on progress only: running-in is a statement here."""
     law = replace(parameters.bushing.law, excess=0.0)
     return replace(parameters, bushing=replace(parameters.bushing, law=law))
 
@@ -181,7 +181,7 @@ class Identifier:
 
     progress: measured, nominal cycles by revolution ``revolution``; reference: standard
     uncertainty of the depth's zero, m; deepest: measured, m; ratio: K to the model's; ends: the
-    revolution at which the criterion's depth is reached, with its limits; known: the columns, held
+    revolution at which the criterion's depth is reached, with its limits; known: the columns, kept
     from bin to bin, but the remaining life counts down; refused: why the last bin gave no result.
     """
 
@@ -208,7 +208,7 @@ class Identifier:
         depth: MeasuredDepth,
         warm: float = math.nan,
     ) -> None:
-        """Take a revolution: its loads, those that progress is counted in, its measured depth.
+        """Process a revolution: its loads, the reference loads of progress, its measured depth.
 
         reference: None while there is none; revolutions count as one cycle each until then. warm:
         temperature, degC, NaN where it is not known.

@@ -16,11 +16,11 @@ from rigapp.twin.twin import Twin
 from rigapp_model.identification import DepthLife, NotIdentifiable
 
 NO_BIN = say("no bin of revolutions is complete yet: wait")
-"""Why nothing is identified before the first bin."""
+"""Reason before the first bin."""
 
 
 def kept_of(reader: TestReader) -> tuple[Identifier, int]:
-    """Return the identification of a test as its twin left it; raise NotIdentifiable for none.
+    """Return the identification of a test at its twin's end; raise NotIdentifiable for none.
 
     Its readings are in bins, and its life is computed as far as it had come. The second value: the
     revolutions that the bushing had made when the test began, which its readings count.

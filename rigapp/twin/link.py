@@ -27,7 +27,7 @@ from rigapp.texts import say
 
 
 class IdentificationTarget(msgspec.Struct, frozen=True):
-    """What is to be identified of a test's wear, and the record of its probes.
+    """Wear parameters to identify in a test, and the record of its probes.
 
     sensitivity: relative standard uncertainty; drift_um: drift of a position in a decade
     of revolutions, standard; None where no record states it. depth_um: of the stop criterion, None
@@ -75,8 +75,8 @@ class TwinAnswer(msgspec.Struct, frozen=True):
     """The answer to the setup or to a revolution.
 
     refused: why there is no prediction of this revolution; the next one may have one. failed: why
-    this process ends and another must take over. hopeless: no other would do better. remarks:
-    what the operator should read besides.
+    this process ends and another must take over. hopeless: no other would succeed. remarks:
+    further notes to the operator.
     """
 
     prediction: Prediction | None = None
@@ -111,14 +111,14 @@ class SkippedRevolutions:
     why: str = TOO_SLOW
 
     def add(self, revolution: int, why: str = TOO_SLOW) -> None:
-        """Add a revolution; the newest reason is reported for all."""
+        """Add a revolution; the newest reason is reported for all of them."""
         self.why = why
         self.first = revolution if not self.count else min(self.first, revolution)
         self.last = max(self.last, revolution)
         self.count += 1
 
     def sentence(self) -> str:
-        """Return which revolutions they are, as a sentence."""
+        """Return the skipped revolutions as a sentence."""
         span = say("revolutions {} to {}", self.first, self.last) if self.count > 1 else ""
         return say(
             "{}: {} not predicted, {}; their wear is added with the forces of later ones",
@@ -129,7 +129,7 @@ class SkippedRevolutions:
 
 
 class TwinLink:
-    """Offer measured revolutions to the twin and hand its predictions on."""
+    """Offer measured revolutions to the twin and forward its predictions."""
 
     def __init__(
         self,
@@ -182,7 +182,7 @@ class TwinLink:
             self._on_report(sentence)
 
     def _report_missed(self, at_once: bool = False) -> None:
-        """Report what was missed, unless the last report is fresh."""
+        """Report skipped revolutions, unless the last report is recent."""
         if not self._missed.count or not (at_once or time.monotonic() >= self._next_report):
             return
         with self._missed_lock:
@@ -191,7 +191,7 @@ class TwinLink:
         self._report(missed.sentence())
 
     def wait_ready(self, timeout_s: float) -> bool:
-        """Wait until the worker can predict; False when it cannot, or not within the time."""
+        """Wait until the worker can predict; False if it cannot, or on time-out."""
         return self._ready.wait(timeout_s) and not self.given_up
 
     @property
@@ -201,7 +201,7 @@ class TwinLink:
         return worker.pid if worker is not None and worker.running else 0
 
     def close(self, drain_s: float = 0.0) -> None:
-        """End the worker, after at most ``drain_s`` for what is still in the mailbox."""
+        """End the worker, after at most ``drain_s`` for the rest of the mailbox."""
         deadline = time.monotonic() + drain_s
         while self._mailbox and self._thread.is_alive() and time.monotonic() < deadline:
             time.sleep(0.01)
@@ -255,7 +255,7 @@ class TwinLink:
             worker.close(CLOSE_S)
 
     def _introduce(self, worker: MessageChild) -> bool:
-        """Give the worker its model and wait until it can predict; False: start another."""
+        """Send the model to the worker and wait until it can predict; False: start another."""
         deadline = time.monotonic() + START_S
         setup = msgspec.structs.replace(self._setup, checkpoint=self._checkpoint)
         while not worker.send(setup):
@@ -316,7 +316,7 @@ class TwinLink:
         return None
 
     def _heard(self, answer: TwinAnswer) -> TwinAnswer:
-        """Pass on the remarks of a worker, and note its failure."""
+        """Forward the remarks of a worker, and record its failure."""
         for text in answer.remarks:
             self._report(text)
         if answer.failed:

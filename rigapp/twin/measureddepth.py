@@ -1,7 +1,7 @@
 """The measured wear depth: the one definition that trend, criterion, file, resume and report share.
 
-It is how far the pin's centre lies from the bushing's under the usual direction of load, beyond the
-clearance of the new bushing and less the elastic approach of the bushing as it is worn now: the
+It is the distance of the pin's centre from the bushing's under the usual direction of load, beyond
+the clearance of the new bushing and less the elastic approach of the bushing as it is worn now: the
 mean over the loaded parts of one revolution. Its uncertainty is expanded (k = 2) and contains the
 spread of the readings, the reference and the approach; not the probes' calibration, drift or heat.
 """
@@ -73,8 +73,8 @@ def measured_depth(
 # The worn surface of the bushing by the pin's measured positions. Pure functions.
 #
 # Every position of the pin is free of material: the worn surface is at least the envelope of the
-# pin's circle over all measured positions of its centre, and where the pin bears it is that.
-# Where the pin's circle does not reach the bushing's first circle, nothing is known: NaN.
+# pin's circle over all measured positions of its centre, and equal to it where the pin bears.
+# Where the pin's circle does not reach the bushing's first circle, it is unknown: NaN.
 
 
 ANGLES = np.radians(np.asarray(PROFILE_ANGLES_DEG))
@@ -86,7 +86,7 @@ DOUBTED = 2e-6
 
 
 def swept(positions: Array, pin_radius: float) -> Array:
-    """Return how far from the bushing's centre the pin's circle reaches at each angle, m.
+    """Return the reach of the pin's circle from the bushing's centre at each angle, m.
 
     positions (2, n): of the pin's centre from the bushing's, m. The largest over all positions;
     -inf where no pin's circle is met.
@@ -105,7 +105,7 @@ def worn_depth(
     bushing_radius: float,
     uncertainty: Array | float = 0.0,
 ) -> Array:
-    """Return the depth of wear at each angle, m, NaN where the pin never came to the surface.
+    """Return the depth of wear at each angle, m, NaN where the pin never reached the surface.
 
     uncertainty: expanded, of the depth at each angle, m. A pin that misses the first circle by
     less than it has reached the surface, and the depth there is 0.

@@ -93,7 +93,7 @@ GRID: Array = np.arange(PREDICTION_POINTS, dtype=np.float64) * (2.0 * np.pi / PR
 NOTHING: Mapping[str, float] = dict.fromkeys(
     (column.name for column in (*deviation_columns(), *identified_columns())), math.nan
 )
-"""The columns identified from many revolutions while nothing is known."""
+"""Columns identified from many revolutions while unknown."""
 
 
 NO_BAND: Array = np.full(1, np.nan)
@@ -101,7 +101,7 @@ NO_BAND: Array = np.full(1, np.nan)
 
 
 class PredictionError(ValueError):
-    """The text says why a revolution cannot be predicted, without a full stop."""
+    """A revolution cannot be predicted; the text gives the reason, without a full stop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -260,7 +260,7 @@ def compare(
 
 
 def phase_shift(measured: Array, predicted: Array) -> float:
-    """Return by how much (rad) the measured curve lags the predicted one, both on ``GRID``.
+    """Return the lag (rad) of the measured curve behind the predicted one, both on ``GRID``.
 
     The maximum of the circular cross-correlation, refined by a parabola through its neighbours.
     """

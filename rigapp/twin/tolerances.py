@@ -37,8 +37,8 @@ LATENCY_S = 2e-4
 UNSTATED_CELL = CellDoubt(0.3, 0.01)
 """A load cell without a record: a data sheet's sensitivity and cross-talk are within 2 %."""
 GUIDE_N = 0.3
-"""Standard friction of the slider's guide, N, which the model lacks: ball guides rub by 0.5 % of
-what they carry."""
+"""Standard friction of the slider's guide, N, which the model lacks: friction of ball guides is
+0.5 % of their load."""
 CELL_TURN = math.radians(0.05)
 """Standard uncertainty of the load cell's direction on the crank, rad, by its calibration."""
 SAME_SPEED = 0.01
@@ -51,7 +51,7 @@ Change = Callable[[Parameters], Parameters | None]
 class Tolerance:
     """The tolerance of a parameter, in the unit that ``DEVIATIONS`` has for its name.
 
-    vary: returns the parameters with it off by so much, None where there is no such part.
+    vary: returns the parameters with a given error of it, None if the part is missing.
     """
 
     name: str

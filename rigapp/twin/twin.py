@@ -1,6 +1,6 @@
 """The twin: predicts each revolution and wears two bushings beside the real one.
 
-One is worn by the forces that the model predicts, from the first cycle on and by nothing measured;
+One is worn by the predicted forces from the first cycle on, independent of measurements;
 the other by the forces that the load cell measures. The probes measure the real one.
 """
 
@@ -71,7 +71,7 @@ STEP_SHARE = 0.02
 """A bushing is worn further once this share of the cycles so far has been gathered."""
 CATCH_UP_STEPS = 12
 COUNTED = ("wear_change_revolution", "wear_departure_revolution")
-"""Columns that name a revolution, which the bushing counts from when it was new."""
+"""Columns that name a revolution, counted by the bushing from when it was new."""
 STILL_NEW = 20
 """A bushing first seen after this revolution is not new any more."""
 
@@ -124,7 +124,7 @@ class TrackedBushing:
 
 
 def _advanced(state: WearState, loads: CycleLoads, cycles: float) -> WearState:
-    """Wear on to so many cycles; a long way (a resumed test) in growing steps."""
+    """Wear to a number of cycles; a long way (a resumed test) in growing steps."""
     start = state.cycles
     if cycles - start <= max(10.0, 2.0 * STEP_SHARE * start):
         return state.advance_by(loads, cycles - start)
@@ -221,7 +221,7 @@ class Twin:
         return msgspec.structs.replace(prediction, profile=profile)
 
     def _learn(self, revolution: int, path: PathSum) -> bool:
-        """Gather the new bushing's revolutions into the reference; True when something is new."""
+        """Collect the new bushing's revolutions for the reference; return whether it changed."""
         if self.reference is not None:
             return False
         clearance = self.parameters.joint.clearance

@@ -42,7 +42,7 @@ class Remarks(logging.Handler):
         self._texts: deque[str] = deque(maxlen=SAID_AT_ONCE)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Keep a warning."""
+        """Store a warning."""
         text = record.msg  # with its structure, so that a window can translate it
         self._texts.append(text if isinstance(text, Sentence) else record.getMessage())
 
@@ -105,7 +105,7 @@ def answer(twin: Twin, measured: RevolutionMeasured) -> TwinAnswer:
 
 
 def set_up(setup: TwinSetup) -> tuple[Twin | None, TwinAnswer]:
-    """Return the twin of a setup, or why there is none."""
+    """Return the twin of a setup, or the reason why there is none."""
     try:
         return new_twin(setup), TwinAnswer()
     except Exception as error:
@@ -127,7 +127,7 @@ def _failure(error: Exception) -> str:
 
 
 def main(arguments: list[str]) -> int:
-    """Serve predictions until the engine is gone."""
+    """Serve predictions until the engine has ended."""
     engine = Parent(arguments)
     remarks = Remarks()
     logging.getLogger().addHandler(remarks)
@@ -141,7 +141,7 @@ def main(arguments: list[str]) -> int:
     while twin is not None and not reply.failed and engine.alive:
         measured = engine.receive(RevolutionMeasured, WAIT_S)
         if measured is not None:
-            # Remarks on the setup come with the first revolution: then the test has its log.
+            # Remarks on the setup are sent with the first revolution: then the test has its log.
             reply = msgspec.structs.replace(serve(twin, measured), remarks=remarks.take())
             engine.send(reply)
     engine.close(LINGER_S if reply.failed else 0.0)

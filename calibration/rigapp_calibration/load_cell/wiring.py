@@ -62,7 +62,7 @@ WIRINGS = tuple(_wirings())
 
 
 def told_by_one_load(change: Array, direction: Array) -> Problem | None:
-    """Check the plugs by one load: change of the signals (2,), direction of the force (2,).
+    """Check plugs by one load: change of the signals (2,), direction of the force (2,).
 
     Bridges are alike, so that signals point as the force does. None without a mistake, or if the
     direction is ambiguous (equal load on both bridges, or none on one).
