@@ -137,7 +137,7 @@ class Notifier:
             self._deliver(name, way, now)
         if not gone and not self.farewell:
             self._ping_if_due()
-        self._keep()
+        self._write_state()
         return self._answer(bool(facts), now)
 
     # --- facts -----------------------------------------------------------------------------------
@@ -197,18 +197,20 @@ class Notifier:
         if delivery is not None:
             if delivery.work.done:
                 del self._going[name]
-                self._took(name, way, delivery, now)
+                self._record_result(name, way, delivery, now)
             return
         batch = due(self.state.ways[name].outbox, now, way.most_per_hour)
         if batch:
-            self._keep()  # before sending: the next notifier must not report it again
+            self._write_state()  # before sending: the next notifier must not report it again
             lost = self.state.ways[name].outbox.lost
             messages = (*batch, _lost(lost, now)) if lost else batch
             secrets, rig = Path(self._setup.secrets), self._setup.name
             work = Background(lambda: tell(way, secrets, rig, messages), f"tell by {way.name}")
             self._going[name] = _OnItsWay(batch, work)
 
-    def _took(self, name: str, way: NotifySection, delivery: _OnItsWay, now: float) -> None:
+    def _record_result(
+        self, name: str, way: NotifySection, delivery: _OnItsWay, now: float
+    ) -> None:
         """Record the result of an attempt."""
         way_state = self.state.ways[name]
         error = delivery.work.error
@@ -264,7 +266,7 @@ class Notifier:
 
     # --- state and remarks -----------------------------------------------------------------------
 
-    def _keep(self) -> None:
+    def _write_state(self) -> None:
         """Write the state if it has changed; if that fails it stays in memory."""
         kept = settled(self.state)
         if replace(kept, processed=0) == replace(self._kept, processed=0):

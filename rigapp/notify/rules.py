@@ -69,11 +69,11 @@ def update(way: NotifySection, state: NotificationState, fact: Fact) -> Step:
     for change in _changes(way, state, fact):
         if isinstance(change, Message):
             due.append(change)
-        elif isinstance(change, _Came):
-            state, messages = _came(state, change, fact.at)
+        elif isinstance(change, _Begun):
+            state, messages = _open_condition(state, change, fact.at)
             due += messages
         else:
-            state = _went(state, change, fact.at)
+            state = _end_condition(state, change, fact.at)
     if isinstance(fact.seen, Heartbeat):
         state = msgspec.structs.replace(state, status=fact.seen.status)
     return state, tuple(due)
@@ -101,20 +101,20 @@ def pass_time(
     return state, tuple(due)
 
 
-class _Came(msgspec.Struct, frozen=True):
+class _Begun(msgspec.Struct, frozen=True):
     key: str
     level: Level
     title: str
     text: str
 
 
-class _Went(msgspec.Struct, frozen=True):
+class _Ended(msgspec.Struct, frozen=True):
     key: str
     how: str = "Over"
     untold: bool = False
 
 
-_Change = _Came | _Went | Message
+_Change = _Begun | _Ended | Message
 
 
 def _changes(way: NotifySection, state: NotificationState, fact: Fact) -> Iterator[_Change]:
@@ -125,7 +125,7 @@ def _changes(way: NotifySection, state: NotificationState, fact: Fact) -> Iterat
         case StateChanged():
             yield from _of_state(way, seen)
         case Finished():
-            yield _Went("criterion", untold=True)
+            yield _Ended("criterion", untold=True)
             if "end" in way.when:
                 title, text = finished_message(seen)
                 intended = seen.status == "complete" or seen.reason is FinishReason.OPERATOR
@@ -150,26 +150,26 @@ def _of_alarm(way: NotifySection, alarm: Alarm) -> Iterator[_Change]:
         waits = (
             "; the alarm stays on the list until it is reset" if alarm.state == "latched" else ""
         )
-        yield _Went(key, f"Its condition is over{waits}")
+        yield _Ended(key, f"Its condition is over{waits}")
     elif alarm.severity.value in way.when and alarm.state != "shelved":
         title, text = alarm_message(alarm)
         level: Level = "critical" if alarm.severity is Severity.CRITICAL else "warning"
-        yield _Came(key, level, title, text)
+        yield _Begun(key, level, title, text)
 
 
 def _of_state(way: NotifySection, seen: StateChanged) -> Iterator[_Change]:
     if seen.state is RunState.PAUSED and not seen.resting and "pause" in way.when:
         reason = seen.reason.strip()
         why = f"Why: {reason}." if reason else "No reason was given."
-        yield _Came("pause", "warning", "Test paused", f"The spindle stands. {why}")
+        yield _Begun("pause", "warning", "Test paused", f"The spindle stands. {why}")
     elif seen.state is RunState.RUNNING:
-        yield _Went("pause", "The test runs again")
+        yield _Ended("pause", "The test runs again")
     elif seen.state not in ACTIVE:
-        yield _Went("pause", untold=True)
+        yield _Ended("pause", untold=True)
 
 
 def _of_status(way: NotifySection, state: NotificationState, status: Status) -> Iterator[_Change]:
-    yield _Went("silence", "The engine is heard again")
+    yield _Ended("silence", "The engine is heard again")
     if status.engine.state in KNOWING:
         # Alarms that rose or cleared without a notice show in the list of the status.
         active = [alarm for alarm in status.alarms if alarm.active]
@@ -178,7 +178,7 @@ def _of_status(way: NotifySection, state: NotificationState, status: Status) -> 
             yield from _of_alarm(way, alarm)
         for key in state.open:
             if key.startswith("alarm:") and key not in listed:
-                yield _Went(key, "The engine sees it no more")
+                yield _Ended(key, "The engine sees it no more")
     yield from _of_criterion(way, status)
 
 
@@ -191,18 +191,18 @@ def _of_criterion(way: NotifySection, status: Status) -> Iterator[_Change]:
         text = f"{left:.3g} % are left to: {test.criterion}. Revolution {test.revolution:,}."
         if test.expected_end_at > 0.0:
             text += f" Expected end: {clock(test.expected_end_at)}."
-        yield _Came("criterion", "information", "The end of the test is near", text)
+        yield _Begun("criterion", "information", "The end of the test is near", text)
     elif left > FAR_AGAIN * way.near_percent:
-        yield _Went("criterion", "The end is further away again")
+        yield _Ended("criterion", "The end is further away again")
 
 
 def _of_disk(way: NotifySection, seen: DiskSeen) -> Iterator[_Change]:
     free_GB = seen.free_bytes / 1e9
     if "disk" in way.when and free_GB < way.disk_free_GB:
         text = f"{free_GB:.3g} GB are free in {seen.folder}; told below {way.disk_free_GB:g} GB."
-        yield _Came("disk", "warning", "Disk nearly full", text)
+        yield _Begun("disk", "warning", "Disk nearly full", text)
     elif free_GB > FAR_AGAIN * way.disk_free_GB:
-        yield _Went("disk", f"{free_GB:.3g} GB are free")
+        yield _Ended("disk", f"{free_GB:.3g} GB are free")
 
 
 def _of_silence(way: NotifySection, state: NotificationState, seen: Silence) -> Iterator[_Change]:
@@ -216,7 +216,7 @@ def _of_silence(way: NotifySection, state: NotificationState, seen: Silence) -> 
         what += (
             f" It was {last.engine.state.value}, {test.title} at revolution {test.revolution:,}."
         )
-    yield _Came(
+    yield _Begun(
         "silence",
         "critical",
         "No sign of life",
@@ -225,7 +225,7 @@ def _of_silence(way: NotifySection, state: NotificationState, seen: Silence) -> 
     )
 
 
-def _came(state: NotificationState, change: _Came, at: float) -> Step:
+def _open_condition(state: NotificationState, change: _Begun, at: float) -> Step:
     """Open a condition and report it; an open one stays open."""
     known = state.open.get(change.key)
     if known is not None:
@@ -238,7 +238,7 @@ def _came(state: NotificationState, change: _Came, at: float) -> Step:
     return state, (Message(change.key, "raised", change.level, change.title, change.text, at),)
 
 
-def _went(state: NotificationState, change: _Went, at: float) -> NotificationState:
+def _end_condition(state: NotificationState, change: _Ended, at: float) -> NotificationState:
     """Mark an open condition as over."""
     known = state.open.get(change.key)
     if known is None:

@@ -80,14 +80,14 @@ class Access:
         # A foreign page whose name resolves to this computer (DNS rebinding) must not read it.
         if self.loopback and not _LOOPBACK_HOST.fullmatch(named.get(b"host", b"localhost")):
             return _refused(421, "Ask this page by localhost or 127.0.0.1.")
-        if self.token and not self._knows(named.get(b"authorization", b"")):
+        if self.token and not self._has_token(named.get(b"authorization", b"")):
             challenge = 'Basic realm="rigapp", charset="UTF-8"'
             return _refused(
                 401, "Give the token as the password.", **{"WWW-Authenticate": challenge}
             )
         return None
 
-    def _knows(self, header: bytes) -> bool:
+    def _has_token(self, header: bytes) -> bool:
         """Tell whether an Authorization header carries the token, as bearer or as password."""
         kind, _, secret = header.partition(b" ")
         if kind.lower() == b"basic":
@@ -204,7 +204,7 @@ class Gate(socket.socket):
             descriptor, peer = self._accept()  # type: ignore[attr-defined]
         except OSError as error:
             if error.errno in (errno.EMFILE, errno.ENFILE):
-                self._turn_away()
+                self._reject_next()
                 raise ConnectionAbortedError from error
             raise
         guest = Guest(self, descriptor)
@@ -236,7 +236,7 @@ class Gate(socket.socket):
             self._spare = -1
         super().close()
 
-    def _turn_away(self) -> None:
+    def _reject_next(self) -> None:
         """Accept one with the spare descriptor, and close it; else it would wait."""
         self.dropped += 1
         os.close(self._spare)

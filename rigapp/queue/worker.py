@@ -68,7 +68,7 @@ class QueueWorker:
         self._operator = operator
         self._hands.tell("")
         self._store.change(at_work)
-        self._go_on(self._begin(before.next))
+        self._run_next(self._begin(before.next))
         return self._store.read()
 
     def stop(self) -> Queue:
@@ -80,7 +80,7 @@ class QueueWorker:
         before = self._store.read()
         now = self.note(notice)
         if now != before:
-            self._go_on(now)
+            self._run_next(now)
 
     def note(self, notice: Finished) -> Queue:
         """Record the end of a test without beginning another; return the queue."""
@@ -90,7 +90,7 @@ class QueueWorker:
         """Return the present queue, read again only after a change; empty if unreadable."""
         return self._store.view()
 
-    def _go_on(self, now: Queue) -> None:
+    def _run_next(self, now: Queue) -> None:
         """Begin tests until one runs, none is left, or one could not begin."""
         while now.working and now.running is None and now.next is not None:
             try:

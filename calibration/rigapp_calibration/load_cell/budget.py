@@ -86,7 +86,10 @@ def uncertainty_at(parts: Scatter, settings: LoadCellSettings, load: float) -> L
             points=points,
         ),
         *_introduction(use, load),
-        at_most(say("terms that the pin angles do not show"), _unseen(parts, settings, load)),
+        at_most(
+            say("terms that the pin angles do not show"),
+            _undetermined_cross_terms(parts, settings, load),
+        ),
         at_most(say("loads beyond the largest"), _beyond_largest(parts, settings, load)),
         at_most(say("temperature, zero"), use.zero_per_kelvin * use.temperature * full),
         _display(parts, steps),
@@ -161,7 +164,7 @@ def _introduction(use: Use, load: float) -> tuple[Contribution, ...]:
     return (here, at_most(say("load introduction, in use"), size)) if use.other_adapter else (here,)
 
 
-def _unseen(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
+def _undetermined_cross_terms(parts: Scatter, settings: LoadCellSettings, load: float) -> float:
     """Return the half width (N) of cross terms that the pin angles of the plan do not determine."""
     if parts.shown:
         return 0.0
@@ -250,7 +253,7 @@ def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[B
                     Contribution(
                         "reversibility", gain * size, evaluation="A", distribution="two-point"
                     ),
-                    _told(parts, force),
+                    _fit_contribution(parts, force),
                 ),
             )
         )
@@ -298,10 +301,10 @@ def _fit(parts: Scatter, load: float, *, across: bool) -> Contribution:
     ).reshape(DIRECTIONS, -1)
     covariance = parts.scores.coefficients()
     worst = np.einsum("du,uv,dv->d", combinations, covariance, combinations).argmax()
-    return _told(parts, combinations[worst])
+    return _fit_contribution(parts, combinations[worst])
 
 
-def _told(parts: Scatter, combination: Array) -> Contribution:
+def _fit_contribution(parts: Scatter, combination: Array) -> Contribution:
     """Return the fit's contribution to a combination (2 p,) of coefficients in N, axis-major."""
     variance, degrees = parts.scores.variance(combination.ravel())
     return Contribution("fit", math.sqrt(variance), degrees, "A")

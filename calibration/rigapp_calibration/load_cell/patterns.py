@@ -201,7 +201,7 @@ def _towards(cells: Averages) -> Array:
     return cells.force / np.maximum(size, 1e-9)[:, None] * (size > 0.0)[:, None]
 
 
-def _honest(evidence: Evidence, cells: Averages, terms: Terms) -> tuple[Array, Array]:
+def _regular_effects(evidence: Evidence, cells: Averages, terms: Terms) -> tuple[Array, Array]:
     """Return the effects of correct calibrations: columns (2 cells, any), and their sizes, N.
 
     Size: a standard deviation, infinite if unbounded. The last column is an arch: half
@@ -237,10 +237,10 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
     tried = list(patterns(evidence, cells))
     columns = np.column_stack([one.column for one in tried])
     least = np.array([one.least for one in tried])
-    fewer = np.array([_fewer(one, cells.repeats) for one in tried])
+    fewer = np.array([_cells_per_independent(one, cells.repeats) for one in tried])
     weights, found = np.ones(len(cells.run)), None
     for _ in range(ROUNDS):
-        left, degrees = _left(evidence, cells, evidence.found.terms, columns, weights)
+        left, degrees = _residuals(evidence, cells, evidence.found.terms, columns, weights)
         off, shapes = left[:, 0], left[:, 1:]
         power = np.maximum(np.einsum("ij,ij->j", shapes, shapes), 1e-12)
         sizes = shapes.T @ off / power
@@ -259,7 +259,7 @@ def _search(evidence: Evidence, cells: Averages) -> Found | None:
     return found
 
 
-def _fewer(pattern: Pattern, repeats: float) -> float:
+def _cells_per_independent(pattern: Pattern, repeats: float) -> float:
     """Return how many cells equal one independent one, by the share of repeated readings.
 
     A coarse display rounds a load and its opposite alike, so that fewer cells are independent
@@ -270,7 +270,7 @@ def _fewer(pattern: Pattern, repeats: float) -> float:
     return often if pattern.bridges else (1.0 + repeats) * often
 
 
-def _left(
+def _residuals(
     evidence: Evidence, cells: Averages, terms: Terms, columns: Array, weights: Array
 ) -> tuple[Array, int]:
     """Return the residuals of cells and columns after the honest effects; degrees of freedom.
@@ -278,7 +278,7 @@ def _left(
     The first column is of the cells; rows (2 cells and more) are weighted, the last state
     what is known of honest effects: value 0, with their size as standard deviation.
     """
-    honest, much = _honest(evidence, cells, terms)
+    honest, much = _regular_effects(evidence, cells, terms)
     known = np.flatnonzero(np.isfinite(much))
     prior = np.zeros((len(known), honest.shape[1]))
     prior[np.arange(len(known)), known] = evidence.noise / np.maximum(

@@ -30,7 +30,7 @@ from rigapp_calibration.load_cell.weights import (
     rising_loads,
     told_pieces,
 )
-from rigapp_calibration.load_cell.wiring import told_by_one_load
+from rigapp_calibration.load_cell.wiring import check_plugs
 from rigapp_calibration.taking.procedure import Method, Procedure, Step, StepKind
 from rigapp_calibration.taking.signals import (
     Judgement,
@@ -323,9 +323,9 @@ def assess_load(
         slope=resolution * SLOPE_SHARE * per_newton,
         first=_first(window),
         set_up=lambda found: (
-            _stands(window, step)
-            or _hangs(window, step, found.mean)
-            or _plugs(window, step, found.mean)
+            _check_position(window, step)
+            or _check_load(window, step, found.mean)
+            or _check_plugs(window, step, found.mean)
         ),
         felt=window.force,
     )
@@ -340,7 +340,7 @@ def _first(window: LoadCellWindow) -> Judgement | None:
     return None if window.stands else (SignalState.MOVING, say("the crank turns"))
 
 
-def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
+def _check_position(window: LoadCellWindow, step: Step) -> Judgement | None:
     """Evaluate the pin's position for a step without reading, or if the position is wrong."""
     assert window.angle is not None
     if step.kind is StepKind.ANGLE_REFERENCE:
@@ -353,7 +353,7 @@ def _stands(window: LoadCellWindow, step: Step) -> Judgement | None:
     return None
 
 
-def _hangs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
+def _check_load(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
     """Evaluate whether the load is applied, from which on the time of a series counts."""
     if step.kind is not StepKind.PRELOAD or not step.series:
         return None
@@ -362,7 +362,7 @@ def _hangs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | Non
     return SignalState.WAITING, say("the {:g} kg are not on the pin yet", step.value)
 
 
-def _plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
+def _check_plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | None:
     """Evaluate by the applied load whether the plugs are exchanged or turned, before a reading.
 
     The first preload suffices, whatever calibration is in use.
@@ -371,7 +371,7 @@ def _plugs(window: LoadCellWindow, step: Step, signal: Array) -> Judgement | Non
     expected = FELT_SHARE * step.value * STANDARD_GRAVITY
     if not (expected > 0.0 and window.force(signal) > expected):
         return None
-    problem = told_by_one_load(signal - window.zero, pin_force(1.0, window.angle, 0.0))
+    problem = check_plugs(signal - window.zero, pin_force(1.0, window.angle, 0.0))
     return None if problem is None else (SignalState.WAITING, problem.sentence)
 
 

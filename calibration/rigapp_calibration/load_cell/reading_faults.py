@@ -38,7 +38,7 @@ def single_faults(evidence: Evidence) -> Iterator[Problem]:
     """Yield mistakes of single readings and series, one of each code."""
     explained: Marks = np.zeros(len(evidence.readings), dtype=np.bool_)
     for check in (_angle_off, _angle_of_one, _steps, _swinging, _loose_cable, _wrong_weight):
-        yield from _few(list(check(evidence, explained)))
+        yield from _first_of_each_code(list(check(evidence, explained)))
     yield from _not_monotonic(evidence, explained)
     yield from _scatter(evidence, explained)
 
@@ -49,7 +49,7 @@ def wrong_angles(evidence: Evidence) -> tuple[list[Problem], Evidence]:
     Checked before changes between series: a load turned by far looks like a changed gain.
     """
     explained: Marks = np.zeros(len(evidence.readings), dtype=np.bool_)
-    problems = _few(
+    problems = _first_of_each_code(
         [*_angle_of_one(evidence, explained), *_angle_off(evidence, explained, FAR_OFF, FEW_OFF)]
     )
     left = ~explained
@@ -84,15 +84,15 @@ def swinging_series(evidence: Evidence) -> tuple[list[Problem], Evidence]:
             problems.append(Problem("scatter", _scatter_words(name, spread)))
     if not problems or len(np.unique(found.group[~swung])) < FEWEST_LEFT:
         return [], evidence
-    return _few(problems), examine(evidence.readings.only(~swung), evidence.settings)
+    return _first_of_each_code(problems), examine(evidence.readings.only(~swung), evidence.settings)
 
 
-def _sure(evidence: Evidence) -> float:
+def _significant_difference(evidence: Evidence) -> float:
     """Return the difference (N) from which a reading counts as wrong."""
     return max(SURE * evidence.noise, 0.005 * float(evidence.loads.applied.max()))
 
 
-def _off(evidence: Evidence) -> tuple[Array, Array]:
+def _deviations(evidence: Evidence) -> tuple[Array, Array]:
     """Return the deviations of readings along and across their load, N."""
     return evidence.loads.along - evidence.loads.applied, evidence.loads.across
 
@@ -103,12 +103,12 @@ def _along_only(evidence: Evidence) -> Marks:
     A cell of third degree shifts every load of its run, which is not a mistake: a reading must
     also deviate from the rest of its run.
     """
-    (off, across), sure = _off(evidence), _sure(evidence)
+    (off, across), sure = _deviations(evidence), _significant_difference(evidence)
     wrong = (np.abs(off) > sure) & (np.abs(across) < np.maximum(sure, 0.5 * np.abs(off)))
-    return wrong & (np.abs(_beside(evidence, off, wrong)) > 0.5 * sure)
+    return wrong & (np.abs(_deviations_within_run(evidence, off, wrong)) > 0.5 * sure)
 
 
-def _beside(evidence: Evidence, off: Array, asked: Marks) -> Array:
+def _deviations_within_run(evidence: Evidence, off: Array, asked: Marks) -> Array:
     """Return the deviations of readings from the rest of their run, (n,) N; ``off`` of all others.
 
     The rest gives a gain and a curvature, by Huber. Its prediction of the heaviest load is less
@@ -207,7 +207,7 @@ def _turn(evidence: Evidence, members: Marks) -> tuple[float, float] | None:
 def _angle_of_one(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """Yield a reading whose written angle differs from its neighbours' as its load is turned."""
     found, readings = evidence.loads, evidence.readings
-    sure = _sure(evidence)
+    sure = _significant_difference(evidence)
     for index in np.flatnonzero((found.applied > 0.0) & ~explained):
         turn = float(np.arctan2(found.across[index], found.along[index]))
         size = float(np.hypot(found.along[index], found.across[index]))
@@ -307,7 +307,7 @@ def _swapped(
 
 def _swinging(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """Yield a series whose readings scatter to and fro, along and across."""
-    off, across = _off(evidence)
+    off, across = _deviations(evidence)
     size = np.hypot(off, across)
     for name, members in each_series(evidence.readings.series):
         members &= (evidence.loads.applied > 0.0) & ~explained
@@ -323,7 +323,7 @@ def _swinging(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 def _loose_cable(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """Yield readings far off in one signal alone, whatever the direction of the load."""
-    readings, (off, across) = evidence.readings, _off(evidence)
+    readings, (off, across) = evidence.readings, _deviations(evidence)
     scale = np.linalg.norm(evidence.found.sensitivity, axis=1)
     jump = np.abs(evidence.found.residual_signal) / scale
     far = max(4.0 * SURE * evidence.noise, 0.05 * evidence.settings.cell.full_scale)
@@ -398,7 +398,7 @@ def _not_monotonic(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
 
 def _scatter(evidence: Evidence, explained: Marks) -> Iterator[Problem]:
     """Yield a series, or one reading, that scatters more than the cell can."""
-    size = np.hypot(*_off(evidence))
+    size = np.hypot(*_deviations(evidence))
     readings, allowed = evidence.readings, _allowed(evidence)
     worst: tuple[float, str] = (0.0, "")
     for name, members in each_series(readings.series):
@@ -435,7 +435,7 @@ def _allowed(evidence: Evidence) -> float:
     return max(cell.resolution, 0.005 * cell.full_scale)
 
 
-def _few(problems: list[Problem]) -> list[Problem]:
+def _first_of_each_code(problems: list[Problem]) -> list[Problem]:
     """Return the first problem of each code, with the number of the others."""
     kept: dict[str, Problem] = {}
     count: dict[str, int] = {}

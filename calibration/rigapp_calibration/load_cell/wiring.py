@@ -61,7 +61,7 @@ def _wirings() -> Iterator[Wiring]:
 WIRINGS = tuple(_wirings())
 
 
-def told_by_one_load(change: Array, direction: Array) -> Problem | None:
+def check_plugs(change: Array, direction: Array) -> Problem | None:
     """Check plugs by one load: change of the signals (2,), direction of the force (2,).
 
     Bridges are alike, so that signals point as the force does. None without a mistake, or if the

@@ -207,7 +207,7 @@ class Procedure(Generic[PlanType]):
             raise ProcedureError("the angle reference must be two finite numbers")
         listed = [float(one) for one in shown]
         told = {"offset": offset, "uncertainty": uncertainty, "shown": listed}
-        return self._go_on({"event": "reference", **told})
+        return self._after_event({"event": "reference", **told})
 
     def set_up(self, place: float | None = None) -> Self:
         """Record that the set-up is complete: at a place, or at the step's own."""
@@ -216,12 +216,12 @@ class Procedure(Generic[PlanType]):
         wrong = "" if at is None else self.method.wrongly(at, step)
         if wrong:
             raise ProcedureError(wrong)
-        return self._go_on({"event": self.method.set_up, self.method.place: at})
+        return self._after_event({"event": self.method.set_up, self.method.place: at})
 
     def exercised(self, time: float | None = None) -> Self:
         """Record that a preload has hung for its time, with its end (UTC s)."""
         self._expect(StepKind.PRELOAD)
-        return self._go_on({"event": "exercised", **({} if time is None else {"time": time})})
+        return self._after_event({"event": "exercised", **({} if time is None else {"time": time})})
 
     def leave_out(self) -> Self:
         """Skip the series under way; its readings do not count."""
@@ -230,7 +230,7 @@ class Procedure(Generic[PlanType]):
         series = self.step.series
         after = self._rejected(series, say("left out"))
         event = {"event": say("left out"), "series": series}
-        return after._go_on(event, left_out=self.left_out | {series})
+        return after._after_event(event, left_out=self.left_out | {series})
 
     def again(self, reason: str) -> Self:
         """Restart the series under way; its readings do not count."""
@@ -282,7 +282,7 @@ class Procedure(Generic[PlanType]):
             self.method.place: reading.place,
             **({"hung": reading.hung} if step.due else {}),
         }
-        return self._go_on(event, taken=(*self.taken, reading))
+        return self._after_event(event, taken=(*self.taken, reading))
 
     def reject(self, index: int, reason: str) -> Self:
         """Reject the reading number ``index`` (from 0) with a reason; its series is taken again.
@@ -307,7 +307,7 @@ class Procedure(Generic[PlanType]):
             )
         start = next(i for i, step in enumerate(self.steps) if step.series == series)
         wanted = self.steps[start].set_up
-        if not self._stands_for(self.steps[start]):
+        if not self._still_set_up(self.steps[start]):
             start = next(i for i, step in enumerate(self.steps) if step.set_up == wanted)
         taken = self._rejected(series, say("series repeated: {}", words)).taken
         taken = (*taken[:index], replace(first, rejected=words), *taken[index + 1 :])
@@ -350,23 +350,23 @@ class Procedure(Generic[PlanType]):
         )
         return replace(self, taken=taken)
 
-    def _stands_for(self, step: Step) -> bool:
+    def _still_set_up(self, step: Step) -> bool:
         """Return whether the rig is still set up for a step of a repeated series."""
         if self.method.afresh:
             return self.under_way == step.series
         told = self.told(self.method.set_up)
         return told is not None and bool(told[self.method.place] == step.set_up)
 
-    def _go_on(self, event: Event, **changes: Any) -> Self:
+    def _after_event(self, event: Event, **changes: Any) -> Self:
         """Return the state after an event, at the next open step."""
         after = replace(self, events=(*self.events, event), **changes)
         standing = {one.step for one in after.taken if not one.rejected}
         position = self.position + 1
-        while position < len(self.steps) and not after._wanted(position, standing):
+        while position < len(self.steps) and not after._is_open(position, standing):
             position += 1
         return replace(after, position=position)
 
-    def _wanted(self, position: int, standing: set[int]) -> bool:
+    def _is_open(self, position: int, standing: set[int]) -> bool:
         """Return whether a step is open: it, or the series it serves, has no valid reading.
 
         A preload with a series serves that one, other steps serve all at their set-up.
