@@ -1,9 +1,9 @@
 """Run every benchmark in a process of its own: ``python -m benchmarks [WORD ...] [--json FILE]``.
 
-The last table has one line for each budget: what, figure, peer with its ratio, budget, kept or
-missed; what was skipped stands below it. Status 1 when a benchmark failed, or when a ratio to a
-peer that was measured beside it fell by more than a third of the stored one (``ratios.json``); not
-when a budget is missed: a figure of a busy machine says nothing, a ratio of one run says more.
+The last table has one line for each budget: name, figure, peer with its ratio, budget, kept or
+missed; skipped ones follow. Status 1 when a benchmark failed, or when a ratio to a
+peer measured in the same run fell by more than a third of the stored one (``ratios.json``); not
+when a budget is missed: figures of a busy machine are unreliable, ratios of one run less so.
 """
 
 from __future__ import annotations
@@ -21,12 +21,13 @@ from benchmarks.budgets import BUDGETS, COLLECTED
 
 HERE = Path(__file__).parent
 RATIOS = HERE / "ratios.json"
-"""Ratio to its peer of each figure that has one, as ``--keep-ratios`` stored it."""
+"""Ratio of each figure to its peer, if any, as stored by ``--keep-ratios``."""
 COSTS = frozenset({"help", "reduce"})
-"""Figures whose ratio says how many times the peer's time they take; of the others, how many times
+"""Figures whose ratio is their time as a multiple of the peer's; for others, it is how many times
 faster than the peer they are."""
 LEAST_SHARE = 2.0 / 3.0
-"""Of the stored ratio: what falls below it is not the machine, whose load both sides share."""
+"""Part of the stored ratio: a lower ratio is not due to the machine, whose load both sides
+share."""
 
 
 def fallen(rows: list[dict[str, Any]], stored: dict[str, float]) -> list[str]:
@@ -51,7 +52,7 @@ def ratios_of(rows: list[dict[str, Any]]) -> dict[str, float]:
 
 
 def table(figures: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Return a row for each budget that was measured, skipped ones behind them."""
+    """Return a row for each measured budget, then the skipped ones."""
     rows = []
     for figure in figures:
         if "skipped" in figure:

@@ -1,4 +1,4 @@
-"""Print how often the stated uncertainty of the load cell holds the truth, which should be 95 %.
+"""Print the coverage of the load cell's stated uncertainty, which should be 95 %.
 
 Run with ``python benchmarks/bench_coverage.py [--calibrations 1000] [--seed 1]``. Of virtual
 calibrations with known truth: matrix elements, zeros, and a reading (|F| and one component, one
@@ -21,7 +21,7 @@ LOW, HIGH = 0.93, 0.97
 
 
 def main() -> None:
-    """Print the table and what lies outside of the goal."""
+    """Print the table and the rows outside of the goal."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--calibrations", type=int, default=size(1000, 4))
     parser.add_argument("--seed", type=int, default=1)

@@ -3,7 +3,7 @@
 Run with ``python benchmarks/bench_dataq.py``. One core; the driver's own stream reads a port in
 memory that gives pieces of 4095 bytes (the kernel's buffer) or of 64 KiB, and returns Blocks of
 20 ms at the device's maximum, 60 MHz / 375 = 160000 scans/s. A scan is four analog words and the
-counter. The last line is the ratio that the budget speaks of.
+counter. The last line is the ratio of the budget.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ CASES = {
 
 
 class MemoryPort:
-    """Give prepared bytes in pieces, and the echo of every command."""
+    """Port that returns prepared bytes in pieces, and the echo of every command."""
 
     device = "daq"
     port = "memory"
@@ -47,7 +47,7 @@ class MemoryPort:
         """Do nothing."""
 
     def drain(self) -> bytes:
-        """Return nothing: the line is quiet."""
+        """Return nothing: no bytes are pending."""
         return b""
 
     def write(self, data: bytes) -> None:

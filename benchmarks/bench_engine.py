@@ -1,4 +1,4 @@
-"""Measure the engine's path of a sample: ingest, reduce, judge and store, on one core.
+"""Measure the engine's path of a sample: ingest, reduce, evaluate and store, on one core.
 
 Run with ``python benchmarks/bench_engine.py``. Revolutions of 3600 samples x 5 channels come in
 Blocks of 20 ms as a driver hands them over, and go through the same objects as in a test: overload
@@ -43,7 +43,7 @@ KEEP = 10
 
 
 def calibration() -> Calibration:
-    """Return a full calibration with a latency that is no whole number of samples."""
+    """Return a full calibration with a latency that is not a whole number of samples."""
     latency_s = 1.1e-3
     table = ChannelTable(tuple(replace(channel, latency_s=latency_s) for channel in BASE.channels))
     wires = tuple(Wire(c, row, c.signal_unit) for row, c in enumerate(table.sampled))
@@ -61,7 +61,7 @@ def calibration() -> Calibration:
 
 
 def stream(samples: int) -> list[Block]:
-    """Return one revolution's worth of Blocks of ``samples``, to be sent round and round."""
+    """Return the Blocks of ``samples`` of one revolution, to be sent repeatedly."""
     rng = np.random.default_rng(1)
     angle = 2 * np.pi * np.arange(SAMPLES) / SAMPLES
     values = np.empty((5, SAMPLES), np.float32)
@@ -77,7 +77,7 @@ def stream(samples: int) -> list[Block]:
 
 
 class Path5:
-    """The engine's judgement without threads: numbers, stores, and commits once a second."""
+    """The engine's evaluation without threads: numbers, stores, and commits once a second."""
 
     def __init__(self, run: TestRun, recorder: Recorder) -> None:
         self.run, self.recorder = run, recorder
@@ -88,7 +88,7 @@ class Path5:
         self.recorder.begin(sample)
 
     def revolution(self, revolution: Revolution) -> None:
-        """Number, reduce, judge and store."""
+        """Number, reduce, evaluate and store."""
         row = self.run.take(revolution, True)
         if row is not None:
             self.recorder.row(row.number, row.values, row.measured)
@@ -156,7 +156,7 @@ def whole_path(folder: Path, samples: int) -> float:
 
 
 def parts() -> None:
-    """Print what each step of one revolution costs, against one reading pass of its block."""
+    """Print the cost of each step of one revolution, against one reading pass of its block."""
     kind = calibration()
     assembler = Assembler(kind.encoder, 4, RATE, kind.margins)
     values = np.concatenate([b.values for b in stream(SAMPLES)] * 4, axis=1)

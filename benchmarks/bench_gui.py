@@ -71,7 +71,7 @@ def cycles(count: int) -> list[tuple[MeasuredCycle, PredictedCycle]]:
 
 
 def forces(angle_deg: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return something like the components of a spring-loaded slider-crank."""
+    """Return approximate force components of a spring-loaded slider-crank."""
     turn = np.radians(angle_deg)
     pull = 61.0 - 35.0 * np.cos(turn)
     return -pull * np.cos(1.37 * np.sin(turn)), pull * np.sin(1.37 * np.sin(turn))

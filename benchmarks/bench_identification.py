@@ -1,9 +1,9 @@
-"""Hold the identification to its figures with virtual tests, and time an update.
+"""Check the identification's figures with virtual tests, and time an update.
 
 Run with ``python benchmarks/bench_identification.py [--tests 1000] [--processes N]``. Each virtual
-test has a coefficient, a statement and errors of its own, drawn as the certificate states them (see
+test has a coefficient, a statement and errors of its own, drawn as stated by the certificate (see
 ``tests/model/identification/virtual_tests.py``); the bushing is the reference one, 60 um worn after
-20,000 revolutions. Nothing is tuned to what was drawn: a figure that is missed says so. A fifth as
+20,000 revolutions. Nothing is tuned to the drawn tests: missed figures are reported. A fifth as
 many tests are drawn with running-in and with a change, half as many to be watched for false alarms,
 a tenth with a coefficient that doubles at half time.
 """
@@ -45,7 +45,7 @@ PARTS = (0.1, 0.3, 0.6)
 COVERED = (0.93, 0.97)
 ODDS = 20.0
 TOLD = 0.99
-"""What moves the depth by more than 5 sigma is told in 99 of 100 tests at least."""
+"""Share of tests in which an effect on the depth of more than 5 sigma must be reported."""
 MOST_FALSE = 0.01
 GROWTH = 5.0
 LONG = 1_000_000
@@ -55,7 +55,7 @@ WORN, AFTER = 60e-6, 20_000.0
 
 @cache
 def a_life() -> DepthLife:
-    """Return the reference bushing's life as the twin makes it, that wears WORN in AFTER."""
+    """Return the life of the reference bushing as the twin makes it, which wears WORN in AFTER."""
     parameters = Parameters(
         Mechanism(0.0762, 0.4045, 204e-6, 0.2032, 0.8175, 5500e-6, 5.54871),
         Joint(0.0095, 0.010, 0.020, 0.0131),
@@ -78,10 +78,10 @@ def a_life() -> DepthLife:
 
 
 def covered(seed: int) -> list[tuple[bool, bool, float, bool]]:
-    """Return of a test with a constant coefficient, at each part of its life, what came true.
+    """Return the coverage of a test with a constant coefficient at each part of its life.
 
     Whether coefficient and remaining revolutions are within their limits, the half width of the
-    former, and whether another statement was told.
+    former, and whether another statement was made.
     """
     life = a_life()
     drawn = virtual.drawn(np.random.default_rng([1, seed]), life, LAST)
@@ -107,7 +107,7 @@ def covered(seed: int) -> list[tuple[bool, bool, float, bool]]:
 
 
 def statements_told(seed: int) -> list[tuple[bool, bool]]:
-    """Return whether running-in and a change were told, in tests that they move by over 5 sigma."""
+    """Return whether running-in and a change were reported, in tests where they exceed 5 sigma."""
     life, outcomes = a_life(), []
     for part in PARTS:
         each = []
@@ -125,7 +125,7 @@ def statements_told(seed: int) -> list[tuple[bool, bool]]:
 
 
 def watched(drawn: virtual.Drawn) -> Consistency:
-    """Judge a test as the twin does, until a departure is told or it ends."""
+    """Evaluate a test as the twin does, until a departure is reported or it ends."""
     life, consistency = a_life(), Consistency()
     coarse = virtual.gathered_at_once(drawn.depth)
     done = 0
@@ -142,13 +142,13 @@ def watched(drawn: virtual.Drawn) -> Consistency:
 
 
 def false_alarm(seed: int) -> bool:
-    """Return whether a departure was told in a test without one."""
+    """Return whether a departure was reported in a test without one."""
     drawn = virtual.drawn(np.random.default_rng([3, seed]), a_life(), LAST)
     return watched(drawn).departure is not None
 
 
 def doubled(seed: int) -> float:
-    """Return by how much the depth grew (m) until a doubled coefficient was told."""
+    """Return the growth of the depth (m) until a doubled coefficient was reported."""
     life, random = a_life(), np.random.default_rng([4, seed])
     number, half = np.arange(1.0, LAST + 1.0), LAST // 2
     ratio = float(np.exp(random.normal(0.0, 0.3)))
@@ -162,11 +162,11 @@ def doubled(seed: int) -> float:
 
 
 def update_ms(rounds: int) -> tuple[float, float]:
-    """Return the time of an update after LONG revolutions, and of one reading's gathering, ms."""
+    """Return the time of an update after LONG revolutions, and of processing one reading, ms."""
     life = a_life()
     edges = np.unique(np.geomspace(1, LONG, 4000).astype(np.int64)).astype(float)
     random = np.random.default_rng(5)
-    # Progress so slow that the life reaches LONG revolutions; bins as the stream closes them.
+    # Slow progress, so that the life reaches LONG revolutions; bins as the stream closes them.
     slow = life.course.progress[-1] / (2.0 * LONG)
     bins = Bins()
     for number in edges:
@@ -186,7 +186,7 @@ def update_ms(rounds: int) -> tuple[float, float]:
 
 
 def line(name: str, value: str, goal: str, met: bool) -> bool:
-    """Print one figure with what it is to reach; return whether it does."""
+    """Print one figure with its goal; return whether it is met."""
     print(f"  {'pass' if met else 'FAIL'}  {name:<58}{value:>18}   {goal}", flush=True)
     return met
 

@@ -1,14 +1,13 @@
-"""Measure what the identification states, on tests whose disturbances it did not assume.
+"""Measure the identification on tests with disturbances that it does not assume.
 
 Run with ``python benchmarks/bench_identified_noise.py [--tests 200] [--kinds white,step]``. The
-tests are those of ``tests/model/identification/rig_noise.py``, which disturbs the probes as the
-estimator does not suppose; sensitivity, zero and scatter are drawn as they are stated to it. A row
-for each disturbance, of rigs that measure the temperature (T) and of others: how often 95 % limits
-of the wear coefficient and of what remains hold the truth at 10, 30 and 60 % of life, the
-coefficient's mean error and half width, how often limits of a pairing of eight specimens hold its
-median and each specimen, how many tests of 21,377 revolutions raise a false alarm, and by how many
-scatters of a reading the depth grows until a doubled coefficient is told (median, and share that is
-never told).
+tests are those of ``tests/model/identification/rig_noise.py``, whose disturbances of the probes the
+estimator does not assume; sensitivity, zero and scatter are drawn as stated to it. A row for each
+disturbance, of rigs that measure the temperature (T) and of others: how often 95 % limits of the
+wear coefficient and of what remains hold the truth at 10, 30 and 60 % of life, the coefficient's
+mean error and half width, how often limits of a pairing of eight specimens hold its median and each
+specimen, how many tests of 21,377 revolutions raise a false alarm, and by how many scatters of a
+reading the depth grows until a doubled coefficient is reported (median, and share never reported).
 """
 
 from __future__ import annotations
@@ -48,13 +47,13 @@ from rigapp_model.identification import (
 
 PARTS = (0.1, 0.3, 0.6)
 GROUP = 8
-"""Specimens of a pairing that are taken together."""
+"""Specimens of a pairing that are evaluated together."""
 CHANNEL = " T"
-"""What the name of a kind ends with where the rig measures the temperature."""
+"""Ending of a kind's name if the rig measures the temperature."""
 KINDS = (*(kind + CHANNEL for kind in rig.KINDS), "white", "daily", "hourly")
 ERRORS = ProbeErrors(0.01, 1e-6, 0.3e-6, 0.4e-6)
 STATED = {"clearance": replace(ERRORS, geometry=0.04), "gain": replace(ERRORS, load=0.02)}
-"""What is stated of rows whose joint or load cell is not as the estimator believes."""
+"""Stated errors of rows whose joint or load cell differs from the estimator's model."""
 PRIOR = Prior(rig.COEFFICIENT)
 COVERED = (0.93, 0.97)
 MOST_FALSE = 0.01
@@ -62,7 +61,7 @@ MOST_FALSE = 0.01
 
 @cache
 def told_life() -> DepthLife:
-    """Return the life that the estimator is told: of the usual joint, with its stated doubts."""
+    """Return the life given to the estimator: of the usual joint, with its stated uncertainties."""
     progress = np.concatenate([[0.0], np.geomspace(1.0, 12.0 * rig.LAST, 400)])
     depth = rig.worn(rig.USUAL, progress)
     stiff = rig.Joint(stiffness=rig.STIFFNESS * 1.02)
@@ -96,7 +95,7 @@ Row = tuple[float, float, float, float]
 def covered(work: tuple[str, int]) -> tuple[list[Row], list[tuple[Estimate, float] | None]]:
     """Return of one test at each part: coefficient held, life held, error and half width of ln K.
 
-    NaN where nothing is stated. And what a pairing is told of each, with the true coefficient.
+    NaN where nothing is stated. Also each estimate for a pairing, with the true coefficient.
     """
     kind, seed = work
     test, life = recorded(kind, seed), told_life()
@@ -157,7 +156,7 @@ def recorded(kind: str, seed: int, doubled_at: int | None = None) -> rig.Recorde
 
 
 def watched(test: rig.Recorded, kind: str) -> Consistency:
-    """Judge a test as the twin does, to its first departure."""
+    """Evaluate a test as the twin does, to its first departure."""
     life, consistency, bins = told_life(), Consistency(), Bins()
     rows = zip(test.read.tolist(), warmth(test, kind).tolist(), strict=True)
     for number, (depth, warm) in enumerate(rows, start=1):
@@ -178,7 +177,7 @@ def false_alarm(work: tuple[str, int]) -> float:
 
 
 def growth(work: tuple[str, int]) -> float:
-    """Return by how many scatters the depth grew until a doubled coefficient was told."""
+    """Return the growth of the depth in scatters until a doubled coefficient was reported."""
     half = rig.LAST // 2
     test = recorded(*work, doubled_at=half)
     departure = watched(test, work[0]).departure

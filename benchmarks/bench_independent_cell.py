@@ -1,4 +1,4 @@
-"""Print how often U holds the truth of cells and probes that share nothing with the fit.
+"""Print the coverage of U for cells and probes simulated independently of the fit.
 
 Run with ``python benchmarks/bench_independent_cell.py [--sets 400] [--row WORD]``. Hysteresis by
 plays, creep, warm-up, the pin's own weight, cross terms and others, one by one and together, from

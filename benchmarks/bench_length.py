@@ -1,8 +1,8 @@
-"""What a long test costs afterwards: each verb on files of growing length, time and peak memory.
+"""Time and peak memory of each command on files of long tests of growing length.
 
 Run with ``python benchmarks/bench_length.py [--rows 1e5 1e7] [--folder DIR] [--only VERB]``. The
 files have every column, of the prediction too (``longtest.py``); 10^7 rows take 6 GB of disk, the
-CSV of their package 6 GB more. Each verb is a process of its own: its whole time, imports
+CSV of their package 6 GB more. Each command is a process of its own: its whole time, imports
 included, and its largest resident memory. ``--docs`` puts table and picture into
 docs/performance.md.
 """
@@ -90,12 +90,12 @@ COMMAND = "import sys; from rigapp.__main__ import main; sys.exit(main())"
 
 
 TOLD = ("resume", "open", "seek")
-"""What the programs measure themselves, without their imports: the rig has made those before."""
+"""Times measured by the programs, without imports: the rig has made those before."""
 
 
 @dataclass(frozen=True, slots=True)
 class Verb:
-    """One verb: its program, its arguments behind the file, what it makes."""
+    """One command: its program, its arguments after the file, its output."""
 
     program: str
     arguments: tuple[str, ...] = ()
@@ -119,7 +119,7 @@ VERBS = {
 
 @dataclass(frozen=True, slots=True)
 class Cost:
-    """What a verb cost: wall-clock and processor seconds, peak memory in MB, what it printed."""
+    """Cost of a command: wall-clock and processor seconds, peak memory in MB, its output."""
 
     seconds: float
     processor_s: float
@@ -129,7 +129,7 @@ class Cost:
 
 
 def cost_of(verb: Verb, path: Path, folder: Path) -> Cost:
-    """Run a verb on a file in a process of its own, in a folder that is emptied afterwards."""
+    """Run a command on a file in a process of its own, in a folder that is emptied afterwards."""
     arguments = [str(path) if word == "FILE" else word for word in verb.arguments or ("FILE",)]
     command = [sys.executable, "-c", verb.program, *arguments]
     log = folder / "told.txt"
@@ -173,7 +173,7 @@ def main() -> None:
                 if not verbs:
                     continue
                 path.unlink(missing_ok=True)
-                # Its memory would count as that of the verbs: they start as copies of this process.
+                # Its memory would count as the commands': they start as copies of this process.
                 maker = [sys.executable, str(Path(__file__).with_name("longtest.py")), str(path)]
                 subprocess.run([*maker, f"{rows}", "ended" if ended else ""], check=True)
                 for verb in verbs:
@@ -190,7 +190,7 @@ def main() -> None:
 
 
 def table(costs: dict[str, dict[int, Cost]]) -> str:
-    """Return processor time and peak memory of each verb at each length, as Markdown."""
+    """Return processor time and peak memory of each command at each length, as Markdown."""
     lengths = sorted({rows for course in costs.values() for rows in course})
     lines = [
         "| revolutions | " + " | ".join(f"{rows:,}" for rows in lengths) + " |",
@@ -203,7 +203,7 @@ def table(costs: dict[str, dict[int, Cost]]) -> str:
 
 
 def draw(costs: dict[str, dict[int, Cost]]) -> None:
-    """Draw processor time and peak memory over the length, a line a verb with its name."""
+    """Draw processor time and peak memory over the length, one named line per command."""
     from matplotlib.figure import Figure
 
     from rigapp.report.page.figures import in_style

@@ -1,7 +1,7 @@
-"""Time the dynamics of one cycle by every way there is, in one run, and one cycle of impacts.
+"""Time one cycle of the dynamics by every method, in one run, and one cycle of impacts.
 
-Run with ``python benchmarks/bench_mechanics.py [--angles 3600] [--rounds 7]``. The ways take
-turns; the table shows the median and the ratio to the closed form. EXUDYN, a general multibody
+Run with ``python benchmarks/bench_mechanics.py [--angles 3600] [--rounds 7]``. The methods
+alternate; the table shows the median and the ratio to the closed form. EXUDYN, a general multibody
 program, takes part when it is installed: it integrates the same cycle with its implicit solver.
 """
 
@@ -142,7 +142,7 @@ def contact_system(friction: float, bushing: Material, foundation: bool = False)
 
 
 def measure(ways: dict[str, Callable[[], object]], rounds: int) -> dict[str, float]:
-    """Return the median time of each way; the ways take turns."""
+    """Return the median time of each method; the methods alternate."""
     times: dict[str, list[float]] = {name: [] for name in ways}
     for way in ways.values():
         way()

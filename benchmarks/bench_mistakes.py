@@ -1,7 +1,7 @@
-"""Plant mistakes in virtual calibrations: how often is each named, and a good one refused?
+"""Plant mistakes in virtual calibrations; count how often each is named, and good ones refused.
 
 Run with ``python benchmarks/bench_mistakes.py [--sets 200] [--word WORD]``. Each line is a kind of
-calibration; a mistake is named rightly when its codes, and no others, are what it is refused for.
+calibration; a mistake is named correctly when it is refused for its codes and no others.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def good(sets: int, word: str) -> None:
 
 
 def planted(sets: int, word: str) -> None:
-    """Print how often each mistake has its right name."""
+    """Print how often each mistake is named correctly."""
     worst = 1.0
     for mistake, planted_mistake in MISTAKES.items():
         right = planted_mistake.right
@@ -58,7 +58,7 @@ def planted(sets: int, word: str) -> None:
 
 
 def unseen(sets: int) -> None:
-    """Print what no reading can show, as the notes say."""
+    """Print mistakes that no reading can show, as stated in the notes."""
     print("\nevery pin angle off: no reading shows it, an angle reference must")
     for mistake, unseen_mistake in UNSEEN.items():
         counts = outcomes(KINDS["8 angles, means, all"], unseen_mistake, sets, 13)

@@ -1,7 +1,7 @@
-"""Compare an engine that 50 pages look at, ten of which never read, with the same one alone.
+"""Compare an engine with 50 open pages, ten of which never read, with the same one alone.
 
 Run with ``python benchmarks/bench_page.py``. A simulated test at x20 runs in a process of its own;
-turn by turn nobody looks, and a page in another process has 50 readers. Printed: the engine's
+alternately without readers, and with 50 readers of a page in another process. Printed: the engine's
 processor time and age of its data in both, and their ratios.
 """
 
@@ -43,7 +43,7 @@ START_S = 180.0
 
 @contextmanager
 def running(*arguments: str, output: int = subprocess.DEVNULL) -> Iterator[subprocess.Popen[str]]:
-    """Run rigapp while this lasts."""
+    """Run rigapp for the duration."""
     command = [sys.executable, "-P", "-m", "rigapp", *arguments]
     process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL, text=True)
     try:
@@ -76,7 +76,7 @@ def at_speed(client: Client) -> None:
 
 
 def turn(client: Client, pid: int) -> tuple[float, list[float]]:
-    """Return the engine's processor time a second, and ages of its data (s), over one turn."""
+    """Return the engine's processor time per second, and ages of its data (s), in one period."""
     process = psutil.Process(pid)
     time.sleep(SETTLE_S)
     ages: list[float] = []
@@ -89,7 +89,7 @@ def turn(client: Client, pid: int) -> tuple[float, list[float]]:
 
 @contextmanager
 def looked_at() -> Iterator[None]:
-    """Open the page and its readers while this lasts; the deaf ones never read."""
+    """Open the page and its readers for the duration; some never read."""
     with ExitStack() as stack:
         page = stack.enter_context(
             running("page", "--rig", str(RIG), "--bind", "127.0.0.1:0", output=subprocess.PIPE)
@@ -104,7 +104,7 @@ def looked_at() -> Iterator[None]:
 
 @contextmanager
 def reading(port: int) -> Iterator[subprocess.Popen[bytes]]:
-    """Keep the readers in a process of their own while this lasts."""
+    """Run the readers in a process of their own for the duration."""
     process = subprocess.Popen([sys.executable, __file__, "--read", str(port)])
     try:
         yield process
@@ -114,7 +114,7 @@ def reading(port: int) -> Iterator[subprocess.Popen[bytes]]:
 
 
 def read(port: int) -> None:
-    """Open all readers and read those that are not deaf, until the process is ended."""
+    """Open all readers and read from all but those that never read, until the process is ended."""
     selector, kept = selectors.DefaultSelector(), []
     for number in range(PAGES):
         line = socket.create_connection(("127.0.0.1", port))
@@ -152,7 +152,7 @@ def main() -> None:
 
 
 def judge(alone: list[tuple[float, list[float]]], watched: list[tuple[float, list[float]]]) -> None:
-    """Print what was found."""
+    """Print the result."""
     cpu = [statistics.median(load for load, _ in turns) for turns in (alone, watched)]
     ages = [sorted(age for _, sampled in turns for age in sampled) for turns in (alone, watched)]
     p99 = [ordered[int(0.99 * len(ordered))] for ordered in ages]

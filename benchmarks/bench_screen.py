@@ -1,4 +1,4 @@
-"""How soon the operator sees a revolution, and the window after its start; idling, and stalls.
+"""Delay of a revolution and of the window on the screen; idle load, and stalls.
 
 Run with ``python benchmarks/bench_screen.py``; needs Xvfb and xdotool.
 
@@ -11,9 +11,9 @@ Window: from the start of ``rigapp gui`` until the window is mapped.
 
 Idle: processor time of the window's process while no test runs.
 
-Stall: how late the event loop came at worst while the test was followed; and after it, with what
-of it was the window's own work: in a walk through every page, the first time and the second, when
-somebody is asked what to calibrate, when that opens, and in two changes of the theme.
+Stall: largest delay of the event loop while the test was followed; and afterwards, with the share
+of the window's own work: in a walk through every page, the first time and the second, when the
+choice of a calibration opens, when that calibration opens, and in two changes of the theme.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ ROOT = Path(__file__).parents[1]
 RPM = 120.0
 SECONDS = float(size(45, 12))
 LEFT_OUT = 6
-"""First revolutions: the ramp, and what is loaded once."""
+"""Number of first revolutions left out: the ramp, and first-time loading."""
 
 IDLE_S = float(size(20, 2))
 STARTS = size(3, 1)
 BEAT_S = 0.002
 SETTLE_S = 1.5
-"""After a step, until all that it leads to is drawn."""
+"""Wait after a step, until all of its effects are drawn."""
 
 
 def main() -> None:
@@ -73,7 +73,7 @@ def main() -> None:
 
 
 class Followed(NamedTuple):
-    """What a window showed: ages of revolutions in ms, idle per cent, stalls and own work in ms."""
+    """Result of a window: ages of revolutions in ms, idle per cent, stalls and own work in ms."""
 
     ages: list[float]
     idle: float
@@ -121,7 +121,7 @@ def window_s(folder: str) -> float:
 
 
 def end_engines() -> None:
-    """Shut down what a window has started."""
+    """Shut down the engines that a window has started."""
     from rigapp.service.client import Client
     from rigapp.service.registry import running_engines
 
@@ -206,7 +206,7 @@ def revolution_ms(folder: Path) -> Followed:
 
 
 def stall_of(call: Callable[[], object]) -> tuple[float, float]:
-    """Return how late the event loop came at worst after a call, and its own work then, ms."""
+    """Return the largest delay of the event loop after a call, and its own work then, ms."""
     from PySide6.QtCore import Qt, QTimer
 
     worst = (0.0, 0.0)
@@ -229,14 +229,14 @@ def stall_of(call: Callable[[], object]) -> tuple[float, float]:
 
 
 def wait_until(so: Callable[[], bool]) -> None:
-    """Let the event loop run until something is so; at most a minute."""
+    """Run the event loop until a condition holds; at most a minute."""
     deadline = time.monotonic() + 60.0
     while not so() and time.monotonic() < deadline:
         wait_s(0.05)
 
 
 def wait_s(seconds: float) -> None:
-    """Let the event loop run."""
+    """Run the event loop for some time."""
     from PySide6.QtCore import QEventLoop, QTimer
 
     loop = QEventLoop()
@@ -245,14 +245,14 @@ def wait_s(seconds: float) -> None:
 
 
 def idle_percent() -> float:
-    """Return the processor time of this process while nothing happens, in per cent of a core."""
+    """Return the idle processor time of this process, in per cent of a core."""
     start, own = time.monotonic(), time.process_time()
     wait_s(IDLE_S)
     return 100.0 * (time.process_time() - own) / (time.monotonic() - start)
 
 
 def painted(application: Any, window: Any) -> list[float]:
-    """Return how old each revolution was when it had been painted first, ms."""
+    """Return the age of each revolution when it was first painted, ms."""
     from PySide6.QtCore import QEvent, QObject
 
     overlay = window.tabs.panels["overview"]

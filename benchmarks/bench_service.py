@@ -1,12 +1,12 @@
-"""Measure the service: how soon a trip reaches the drive, and a revolution the viewer.
+"""Measure the service: delay of a trip to the drive, and of a revolution to the viewer.
 
 Run with ``python benchmarks/bench_service.py``.
 
 Trip: from the Block with the first sample above the overload limit, as the driver hands it over, to
-the drive-off command, as it enters the drive's driver. In memory the devices cost nothing; on the
+the drive-off command, as it enters the drive's driver. Devices in memory take no time; on the
 simulated rig the command goes over real wire bytes.
 
-Snapshot: from the end of a revolution (its host time in the file) to the viewer's hands, through
+Snapshot: from the end of a revolution (its host time in the file) to the viewer, through
 wire bytes, assembler, file, ZeroMQ and MessagePack, with a viewer that polls every 5 ms on a rig in
 real time at 120 rpm.
 """
@@ -27,7 +27,7 @@ import numpy as np
 from budgets import measured, size
 
 ROOT = Path(__file__).parents[1]
-# The project itself stands first: tests has folders named as its packages.
+# The project itself is first: tests has folders named as its packages.
 sys.path += [str(ROOT), str(ROOT / "tests"), str(ROOT / "tests" / "engine")]
 
 from engine_doubles import MemoryRig, a_test, eventually  # noqa: E402
@@ -112,7 +112,7 @@ def memory_trips() -> list[float]:
 
 
 def is_reset(engine: Engine) -> bool:
-    """Try to go on after a trip; False while the overload is still seen."""
+    """Try to resume after a trip; False while the overload is still detected."""
     connection = engine._connection
     if connection is None or connection.rig.processor.force_N > REST_N:
         return False
@@ -125,7 +125,7 @@ def is_reset(engine: Engine) -> bool:
 
 
 def start(host: EngineHost, out: Path) -> None:
-    """Start the test and wait for its speed."""
+    """Start the test and wait for its set speed."""
     host.start(wire_test(), out, "benchmark", resume=False)
     host.engine.wait((RunState.RUNNING, *ENDED), 60.0)
 

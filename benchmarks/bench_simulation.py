@@ -23,7 +23,7 @@ RIG = Path(__file__).resolve().parents[1] / "examples" / "simulated.toml"
 
 
 def samples_per_second(rate_Hz: float, chunk: int, seconds: float = size(100, 2) / 100) -> float:
-    """Return how many samples a second of CPU time the plant makes at 60 rpm."""
+    """Return the samples that the plant makes per second of CPU time at 60 rpm."""
     rig = read_rig(RIG).record
     plant = Plant(
         plant_constants(packaged_parameters(), rig), filter_delay_s=1e-3, sample_rate_Hz=rate_Hz

@@ -1,4 +1,4 @@
-"""How long a person waits: `rigapp --help`, against the interpreter's own start."""
+"""Time of `rigapp --help`, against the interpreter's own start."""
 
 from __future__ import annotations
 

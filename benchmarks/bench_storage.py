@@ -1,11 +1,11 @@
-"""Records stored per second, in place and by other means, the same records in one run.
+"""Records stored per second, in place and by other methods, the same records in one run.
 
 Run with ``python benchmarks/bench_storage.py [--seconds 3] [--folder DIR]``. A record is one
 revolution: its row of statistics and, every tenth, its whole cycle of 3600 samples; a second table
-is of the rows alone. All ways of a table store the same records, each for the same time, with a
+is of the rows alone. All methods of a table store the same records, each for the same time, with a
 commit once a second and a sync at the end: "taken" is the rate until then, "on disk" the rate with
-that sync. The ways take turns, ROUNDS times; the tables show medians and the ratio to the in-place
-file. PyMeasure and bluesky take part where they are installed.
+that sync. The methods alternate, ROUNDS times; the tables show medians and the ratio to the
+in-place file. PyMeasure and bluesky take part where they are installed.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ Cycle = dict[str, NDArray[np.float32]]
 
 
 class Way(Protocol):
-    """Store records one way."""
+    """A method of storing records."""
 
     def row(self, values: Row) -> None: ...
 
@@ -244,13 +244,13 @@ GOALS = (
     (4, "PyMeasure CSV recorder"),
     (100, "bluesky, JSON lines"),
 )
-"""How many times more records a second the in-place file shall take."""
+"""Required ratio of records per second of the in-place file to each peer."""
 
 
 def store(
     way: Way, seconds: float, most: int, every: int
 ) -> tuple[int, float, float, NDArray[np.int64]]:
-    """Store records for so long; return their number, the time, that with the last sync, calls."""
+    """Store records for a time; return their number, the time, that with the last sync, calls."""
     values = np.arange(len(ROW_NAMES), dtype=np.float64)
     noise = np.random.default_rng(1).normal(0.0, 50.0, SAMPLES)
     columns = {name: noise.astype(dtype) for name, dtype in CYCLE_TYPES.items()}
@@ -299,7 +299,7 @@ def main() -> None:
 
 
 def compare(folder: Path, seconds: float, cycles: bool) -> None:
-    """Let the ways take turns; print records per second, ratios, calls and bytes."""
+    """Alternate the methods; print records per second, ratios, calls and bytes."""
     every = EVERY if cycles else 1 << 62
     free = shutil.disk_usage(folder).free
     most = int(min(80_000 * seconds, free / 4 / (CYCLE_BYTES / EVERY)))
@@ -347,7 +347,7 @@ def compare(folder: Path, seconds: float, cycles: bool) -> None:
 
 
 def _judge_peers(rates: dict[str, list[tuple[float, float]]]) -> None:
-    """Print how many times faster the in-place file takes records, against the goals."""
+    """Print the ratio of the in-place file's records per second to each peer's, with the goals."""
     own = float(np.median([taken for taken, _ in rates["in place"]]))
     for goal, name in GOALS:
         if name not in rates:
@@ -358,9 +358,9 @@ def _judge_peers(rates: dict[str, list[tuple[float, float]]]) -> None:
 
 
 def compare_checksums(folder: Path) -> None:
-    """Print what a row and a whole cycle cost until they are placed, with and without checksums.
+    """Print the cost of placing a row and a whole cycle, with and without checksums.
 
-    Least processor time of many rounds, which take turns: other programs of this computer only add.
+    Least processor time of many alternating rounds: other programs of this computer only add.
     """
     values = np.arange(len(ROW_NAMES), dtype=np.float64)
     noise = np.random.default_rng(1).normal(0.0, 50.0, SAMPLES)
@@ -400,9 +400,9 @@ def compare_checksums(folder: Path) -> None:
 
 
 def time_calls(folder: Path, seconds: float) -> None:
-    """Store at a rate that a rig can have; print what one call costs the thread that calls it.
+    """Store at a realistic rate; print the cost of one call to the calling thread.
 
-    Processor time of the calling thread leaves out what other programs do on this computer.
+    Processor time of the calling thread excludes other programs on this computer.
     """
     wall: list[int] = []
     spent: list[int] = []
@@ -438,7 +438,7 @@ def time_calls(folder: Path, seconds: float) -> None:
 
 
 def watch_memory(folder: Path, rows: int) -> None:
-    """Store rows only, committing every 20,000; print how the peak of memory grows."""
+    """Store rows only, committing every 20,000; print the growth of the peak memory."""
     plan = FilePlan(rows, 0, 0, prediction=False)
     values = np.arange(len(ROW_NAMES), dtype=np.float64)
     with create_test(folder / "memory.h5", plan, METADATA) as writer:
@@ -459,7 +459,7 @@ def watch_memory(folder: Path, rows: int) -> None:
 
 
 def count_pages(folder: Path) -> None:
-    """Commit single rows, as a slow test does; print what the disk has to write."""
+    """Commit single rows, as a slow test does; print the pages written to the disk."""
     commits = 30
     with create_test(
         folder / "slow.h5", FilePlan(1000, 0, 0, prediction=False), METADATA

@@ -1,8 +1,8 @@
-"""How quick a study of lives is, and what a second worker is worth, in turns.
+"""Speed of a study of lives, with one worker and with two, alternating.
 
 Run with ``python benchmarks/bench_study.py [--lives 600] [--rounds 3]``. Each study has lives of
 23,000 cycles at 1 %, as in ``examples/study.toml``. A round runs it with one worker and with two;
-the time is that from the first row that is safe to the last: starting processes does not count.
+the time is from the first committed row to the last: starting processes does not count.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ def rate(study: Path, to: Path, workers: int) -> float:
 
     run_study(read_study(study), to, workers=workers, progress=note)
     (begin, first), (end, last) = times[workers], times[-1 - workers]
-    # Of a study as small as a trial's, all lives may come in one message.
+    # In a study as small as a trial's, all lives may come in one message.
     if end <= begin:
         (begin, first), (end, last) = times[0], times[-1]
     return (last - first) / (end - begin)
 
 
 def main() -> None:
-    """Print both rates, their ratio, how long 10,000 lives take."""
+    """Print both rates, their ratio, and the time of 10,000 lives."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--lives", type=int, default=size(600, 40))
     parser.add_argument("--rounds", type=int, default=size(3, 1))

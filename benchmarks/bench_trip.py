@@ -2,8 +2,8 @@
 
 Run with ``python benchmarks/bench_trip.py``. The simulated rig runs in real time in a process of
 its own, at 60 rpm; the devices speak their bytes over ptys. The clock starts before the fault is
-asked for: the simulation's own step, the wire, the driver, the engine and the drive's answer
-are all in the figure.
+requested: the figure includes the simulation's own step, the wire, the driver, the engine and
+the drive's reply.
 """
 
 from __future__ import annotations

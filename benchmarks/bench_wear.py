@@ -1,4 +1,4 @@
-"""Time contact and wear of the bushing against their plain ways, in one run.
+"""Time contact and wear of the bushing against standard methods, in one run.
 
 Run with ``python benchmarks/bench_wear.py [--rounds 5]``. First the contact: condensed against the
 whole sparse system in scikit-fem, on the same 180 x 8 mesh of 8-node quadrilaterals. Then the

@@ -1,4 +1,4 @@
-"""Budgets of the benchmarks in one table, and the figures that are measured against them.
+"""Budgets of the benchmarks in one table, and the figures measured against them.
 
 A benchmark calls ``measured`` for each budget that it covers. The line is printed, and
 ``python -m benchmarks`` collects all of them into its last table. ``size`` gives the small sizes
@@ -18,7 +18,7 @@ from typing import Any
 COLLECTED = "RIGAPP_BENCH_FIGURES"
 """Environment variable: the file that collects the figures of a whole run, one JSON line each."""
 SMALL = "RIGAPP_BENCH_SMALL"
-"""Environment variable: set while the suite runs a benchmark only to see that it works."""
+"""Environment variable: set while the suite runs a benchmark only as a smoke test."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Budget:
     at_least: bool = False
 
     def kept(self, value: float) -> bool:
-        """Return whether a figure is within the budget."""
+        """Return whether a value is within the budget."""
         return value >= self.limit if self.at_least else value <= self.limit
 
 
@@ -89,7 +89,7 @@ BUDGETS = {
 def measured(name: str, value: float, peer: str = "", ratio: float | None = None) -> bool:
     """Print a figure beside its budget, and collect it; return whether the budget is kept.
 
-    peer, ratio: what was measured beside it in the same run, and how many times slower that is.
+    peer, ratio: what was measured in the same run, and how many times slower that is.
     """
     budget = BUDGETS[name]
     kept = budget.kept(value)
@@ -104,7 +104,7 @@ def measured(name: str, value: float, peer: str = "", ratio: float | None = None
 
 
 def skipped(what: str, why: str) -> None:
-    """Print what could not be measured here, and collect it for the last table."""
+    """Print what could not be measured, and collect it for the last table."""
     print(f"  SKIPPED {what}: {why}", flush=True)
     collect({"skipped": what, "why": why})
 
@@ -117,7 +117,7 @@ def collect(figure: dict[str, object]) -> None:
 
 
 def median_s(work: Callable[[], object], rounds: int, repeat: int = 1) -> float:
-    """Return the median time of a call, s, after one that does not count; repeat: in each round."""
+    """Return the median time of a call, s, after an uncounted one; repeat: calls in each round."""
     work()
     times, repeat = [], size(repeat, 1)
     for _ in range(rounds):
@@ -129,5 +129,5 @@ def median_s(work: Callable[[], object], rounds: int, repeat: int = 1) -> float:
 
 
 def size(whole: Any, small: Any) -> Any:
-    """Return how much to measure: the small size while the suite only sees that it works."""
+    """Return the size of a measurement: the small one while the suite runs a smoke test."""
     return small if os.environ.get(SMALL) else whole

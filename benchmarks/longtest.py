@@ -1,7 +1,7 @@
 """Make the files of long tests in seconds: every column filled, whole cycles and log as usual.
 
 The writer makes the file; its columns are filled by h5py, block by block, which is quicker than a
-test. Rows are a plain course with noise, so that nothing compresses better than measured values.
+test. Rows are a smooth course with noise, so that they compress no better than measured values.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
 def make_long_test(path: Path, rows: int, *, ended: bool = False) -> None:
-    """Write a test of so many revolutions, interrupted one before its planned end.
+    """Write a test of ``rows`` revolutions, interrupted one before its planned end.
 
     ended: the test was stopped there and its file closed, in place as on the rig.
     """
@@ -47,7 +47,7 @@ def make_long_test(path: Path, rows: int, *, ended: bool = False) -> None:
             writer.append_event(Event(1e9 + number, number, "note", "bench", "oil added"))
         writer.commit()
     path.chmod(0o644)
-    # At their places: the length that a column shows is moved by the writer only.
+    # At their offsets: only the writer changes the visible length of a column.
     with h5py.File(path, "r") as file, path.open("r+b") as raw:
         for group, columns in (
             ("revolutions", plan.revolution_columns),
@@ -63,7 +63,7 @@ def make_long_test(path: Path, rows: int, *, ended: bool = False) -> None:
 
 
 def _fill(raw: BinaryIO, dataset: h5py.Dataset, name: str, rows: int, at: int) -> None:
-    """Fill one column: numbers count, times go on, all else drifts and is noisy."""
+    """Fill one column: numbers count, times increase, all else drifts and is noisy."""
     noise = np.random.default_rng(SEED + at)
     raw.seek(dataset.id.get_offset())
     for first in range(0, rows, BLOCK):

@@ -1,7 +1,7 @@
 """Messages to an absent operator: mail, chat, a command, a dead man's switch.
 
-The rules, the outbox and the wording are pure. A process of its own, the notifier, keeps the outbox
-on the disk and starts a short one for each attempt, which alone reads the secrets.
+The rules, the outbox and the wording are pure. A process of its own, the notifier, stores the
+outbox on the disk and starts a short one for each attempt, the only one to read the secrets.
 
 Others enter by ``channels``, ``delivery``, ``facts``, ``link``, ``message``, ``store``.
 """

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
     from tomlkit import TOMLDocument
 
 ATTEMPT_S = 120.0
-"""An attempt that takes longer is ended: a healthy server answers within seconds, and a busy
-computer needs time to begin."""
+"""Time limit of an attempt: a healthy server answers within seconds, and a busy computer needs time
+to start."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,7 +199,7 @@ def tell(way: NotifySection, secrets: Path, rig: str, batch: Sequence[Message]) 
 
 
 def attempt(request: AttemptRequest) -> DeliveryResult:
-    """Make an attempt in a process of its own, and end it when it takes too long."""
+    """Make an attempt in a process of its own, and end it at the time limit."""
     argv = module_command("rigapp.notify.delivery")
     try:
         status, answer = _bounded(argv, json_bytes(request), keep=True)
@@ -211,7 +211,7 @@ def attempt(request: AttemptRequest) -> DeliveryResult:
 
 
 def _bounded(argv: Sequence[str], text: bytes, *, keep: bool) -> tuple[int | None, bytes]:
-    """Run a program; return its exit status, None when it took too long, and its output."""
+    """Run a program; return its exit status, None on time-out, and its output."""
     process = subprocess.Popen(
         argv,
         stdin=subprocess.PIPE,

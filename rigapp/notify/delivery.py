@@ -1,4 +1,4 @@
-"""One attempt of a delivery, in a process of its own that alone reads the secrets.
+"""One attempt of a delivery, in a process of its own, the only one to read the secrets.
 
 ``python -m rigapp.notify.delivery`` takes an ``AttemptRequest`` on standard input and writes an
 ``DeliveryResult`` on standard output. The parent ends it when it takes too long: a server that
@@ -28,10 +28,10 @@ from rigapp.process.private import SMALL_BYTES, open_to_others, owned_by_user
 from rigapp.schema.wire import json_bytes
 
 # Secrets by name: from a file of mode 0600 or the keyring, put into a URL, removed from a text.
-# Only the short process of one attempt looks them up; engine and notifier have the names alone.
+# Only the short process of one attempt looks them up; engine and notifier hold only the names.
 
 KEYRING_SERVICE = "rigapp"
-"""Under this service the keyring holds the secrets, each with its name as user name."""
+"""Service of the keyring that holds the secrets, each with its name as user name."""
 
 HIDDEN = "***"
 
@@ -55,7 +55,7 @@ def looked_up(names: Iterable[str], file: Path) -> dict[str, str]:
 def read_secrets(file: Path) -> dict[str, str]:
     """Return the secrets of a file by name, none without a file; raise UnusableInput.
 
-    It must be ours and readable by nobody else. No error repeats its content.
+    It must be owned by the user and readable by nobody else. No error repeats its content.
     """
     try:
         descriptor = os.open(file, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0))
@@ -114,7 +114,7 @@ def _of_keyring(name: str, file: Path) -> str:
 
 
 def filled(url: str, secrets: Mapping[str, str]) -> str:
-    """Return a URL with its secrets; quoted, but for one that is the whole URL."""
+    """Return a URL with its secrets; quoted, except one that is the whole URL."""
     reference = REFERENCE.fullmatch(url)
     if reference is not None:
         return secrets[reference[1]]
@@ -158,7 +158,7 @@ class DeliveryResult(msgspec.Struct, frozen=True):
 
 
 class _Remarks(logging.Handler):
-    """Gather the log of apprise: its answer is yes or no, and the reason is in its log."""
+    """Collect the log of apprise: it returns only success or failure, the reason is in its log."""
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
@@ -251,7 +251,7 @@ def _parts(url: str) -> Iterable[str]:
 
 
 def main() -> int:
-    """Take one request and answer it."""
+    """Read one request and write its result."""
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # output of a library must not mix with the answer
     request = msgspec.json.decode(sys.stdin.buffer.read(), type=AttemptRequest)

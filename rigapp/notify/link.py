@@ -1,4 +1,4 @@
-"""The engine's end of the notifier: a bounded list of facts, and a thread that keeps both going.
+"""The engine's end of the notifier: a bounded list of facts, and a thread that forwards them.
 
 The thread gathers the engine's notices, hands them to the notifier's process and starts another one
 where it has died or does not respond. Nothing of the engine ever waits for it: of more than
@@ -28,15 +28,15 @@ from rigapp.schema.messages import Status
 from rigapp.schema.notices import Committed, Notices
 
 WAITING = 1000
-"""Facts that the notifier has not processed yet; alarms come by the dozen, not by the thousand."""
+"""Facts not yet processed by the notifier; alarms come by the dozen, not by the thousand."""
 SIGN_EVERY_S = 2.0
 START_S = 480.0  # importing, on a busy computer, and the end of the notifier before it
 ANSWERS_S = 60.0
-"""A notifier that does not respond for so long is started again; it never waits for a server."""
+"""A notifier that does not respond for this time is started again; it never waits for a server."""
 RESTART_PAUSE_S = 2.0
 ATTEMPTS = 5
 FAREWELL_S = 30.0
-"""The end waits so long until the notifier has processed all facts, not for its deliveries."""
+"""Time at the end for the notifier to process all facts, not for its deliveries."""
 
 
 class NotifierLink:
@@ -138,7 +138,7 @@ class NotifierLink:
             self._add(Heartbeat(self._look()))
 
     def _add(self, seen: Observation) -> None:
-        """Note a fact; a heartbeat replaces one that is not handed over yet."""
+        """Add a fact; a heartbeat replaces one that is not handed over yet."""
         self._number += 1
         facts = self._facts
         newest = facts[-1] if facts and facts[-1].number > self._handed else None
@@ -154,7 +154,7 @@ class NotifierLink:
             self.dropped += 1
 
     def _hand_over(self, notifier: MessageChild) -> None:
-        """Hand over new facts, as far as the notifier takes them, and take its answers."""
+        """Hand over new facts, as far as the notifier accepts them, and process its answers."""
         self._introduced = self._introduced or notifier.send(self._setup)
         if not self._introduced:
             return

@@ -1,4 +1,4 @@
-"""A message, and its text for a person who is far from the rig."""
+"""A message, and its text for an absent operator."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Turn = Literal["raised", "recovered", "told"]
 Level = Literal["critical", "warning", "information"]
 
 MOST_CHARACTERS = 3000
-"""Of a text: more than any alarm has, less than every service takes."""
+"""Maximum characters of a text: more than any alarm has, less than every service accepts."""
 
 
 class Message(msgspec.Struct, frozen=True):

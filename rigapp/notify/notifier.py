@@ -54,16 +54,16 @@ log = logging.getLogger("rigapp.notify.notifier")  # its process calls the modul
 
 LOOK_S = 0.2
 LINGER_S = 3600.0
-"""Time after the end of an engine in which its notifier sends waiting messages."""
+"""Time after the end of an engine during which its notifier sends waiting messages."""
 LOCK_S = 300.0
-"""A notifier waits so long for the one before it, which may be in the midst of an attempt."""
+"""Wait of a notifier for the previous one, which may be in the middle of an attempt."""
 DISK_EVERY_S = 60.0
 WELL_S = 30.0
-"""All is well only where the newest heartbeat is younger; one comes every few seconds."""
+"""Maximum age of the newest heartbeat for a ping; one comes every few seconds."""
 FAILING_S = 300.0
-"""A channel that fails for so long is an alarm of the rig: somebody relies on it."""
+"""A channel that fails for this time is an alarm of the rig: somebody relies on it."""
 STANDSTILL_S = 5.0
-"""A pass that took longer shows that the whole computer stalled, which is no silence."""
+"""A pass that took longer shows that the whole computer stalled, which is not silence."""
 
 
 @dataclass(slots=True)
@@ -96,7 +96,7 @@ class Notifier:
         self.take_up()
 
     def take_up(self) -> None:
-        """Read the state again: another notifier may have sent some of it."""
+        """Read the state again: another notifier may have sent some messages."""
         state = read_state(self._file)
         same = state.run == self._setup.run
         ways = {name: state.ways.get(name, WayState()) for name in self._ways}
@@ -117,7 +117,7 @@ class Notifier:
         return bool(self._going)
 
     def step(self, facts: Sequence[Fact], *, gone: bool = False) -> NotifierAnswer | None:
-        """Process facts, collect ended deliveries, begin others; return an answer for the engine.
+        """Process facts, collect finished deliveries, begin others; return an answer.
 
         gone: the engine's process has ended.
         """
@@ -343,7 +343,7 @@ def _linger(notifier: Notifier, file: Path) -> None:
 
 
 def _received(engine: Parent, timeout_s: float = 0.0) -> list[Fact]:
-    """Return the facts that have come, after a wait for the first."""
+    """Return received facts, after a wait for the first."""
     facts = []
     fact = engine.receive(Fact, timeout_s)
     while fact is not None:

@@ -1,6 +1,6 @@
 """The waiting messages of one channel: bounded, limited in rate, with pauses after failures.
 
-All here is pure: an outbox goes in, an outbox comes out.
+Pure functions from outbox to outbox.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ MOST_IN_ONE = 20
 """Messages combined in one when the hourly limit is too low; each keeps some lines."""
 
 FIRST_WAIT_S, LONGEST_WAIT_S = 5.0, 900.0
-"""Pause after a failure, doubled each time: short after a brief outage, and a quarter of an hour
-at most after an outage of any length."""
+"""Pause after a failure, doubled each time: short after a brief outage, and a quarter of an hour at
+most."""
 
 HOUR_S = 3600.0
 
 
 class Outbox(msgspec.Struct, frozen=True):
-    """Messages in their order; times of the last hour's, and failures since.
+    """Messages in their order, times of the last hour's messages, and failures since.
 
     sent_at: UTC s, of the last hour. not_before: UTC s. failing_since: 0 while it works. lost:
     messages dropped since the last one was sent.
@@ -64,7 +64,7 @@ def due(outbox: Outbox, now: float, most_per_hour: int) -> tuple[Message, ...]:
 
 
 def sent(outbox: Outbox, batch: tuple[Message, ...], now: float) -> Outbox:
-    """Return the outbox after a batch has arrived."""
+    """Return the outbox after a batch was delivered."""
     delivered = set(batch)
     return Outbox(
         waiting=tuple(message for message in outbox.waiting if message not in delivered),

@@ -1,8 +1,8 @@
 """The rules from facts to messages: conditions are reported in pairs, other facts once.
 
 Of every condition its begin and its end are reported once. One that recurs within
-``recovered_after_s`` counts as not ended. All here is pure: a state goes in, a state and messages
-come out.
+``recovered_after_s`` counts as not ended. Pure functions from state to state and
+messages.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ from rigapp.schema.notices import AlarmChanged, Finished, StateChanged
 from rigapp.schema.states import ACTIVE
 
 FAR_AGAIN = 1.5
-"""A criterion is near no longer when it is so many times as far as where it became near: a value
+"""Factor of a criterion's near distance from which it is no longer near: a value
 that fluctuates about a level is reported once."""
 
 LATE_SUMMARY_S = 3600.0
-"""A summary that was missed, as no engine ran, is made up to so long after its time."""
+"""Delay up to which a missed summary, as no engine ran, is made up."""
 
 MOST_OPEN = 200
-"""Conditions that are open at a time; of more the oldest are dropped, so that the state is
+"""Maximum number of open conditions; beyond it the oldest are dropped, so that the state is
 bounded."""
 
 KNOWING = frozenset(RunState) - {RunState.IDLE, RunState.CONNECTING}
@@ -82,7 +82,7 @@ def update(way: NotifySection, state: NotificationState, fact: Fact) -> Step:
 def pass_time(
     way: NotifySection, state: NotificationState, now: float, local: datetime.datetime
 ) -> Step:
-    """Return the state and the messages that are due; local: now, by the wall clock."""
+    """Return the state and the messages due; local: now, by the wall clock."""
     due = []
     for key, alarm in list(state.open.items()):
         if alarm.over_at is not None and not 0.0 <= now - alarm.over_at < way.recovered_after_s:

@@ -66,7 +66,7 @@ def write_state(file: Path, state: NotifierState) -> None:
 
 
 def settled(state: NotifierState) -> NotifierState:
-    """Return a state without the last status, which is not worth keeping."""
+    """Return a state without the last status, which is not worth storing."""
     ways = {
         name: replace(way, conditions=replace(way.conditions, status=None))
         for name, way in state.ways.items()

@@ -1,6 +1,6 @@
-"""The rules of access to the page: loopback is free, others need a token over TLS.
+"""Rules of access to the page: loopback is free, others need a token over TLS.
 
-Requests are refused here, before anything else of the page handles them.
+Requests are refused here, before any other code of the page.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ HEAD_BYTES = 16384
 LONGEST_TARGET = 1024
 """Bytes of path and query: the page's own are shorter than thirty."""
 SHORTEST_TOKEN = 24
-"""Characters: 64 random ones give four bits each; nobody tries 2^96 of them."""
+"""Characters: 64 random ones give four bits each; 2^96 cannot be searched."""
 METHODS = ("GET", "HEAD")
 
 _LOOPBACK_HOST = re.compile(rb"(?i:localhost|127(?:\.\d{1,3}){3}|\[::1\])(?::\d{1,5})?")
@@ -64,7 +64,7 @@ class Access:
         return "https" if self.certificate is not None else "http"
 
     def refusal(self, scope: Mapping[str, Any]) -> Refusal | None:
-        """Return why a request (an ASGI scope) is refused, None where it is not."""
+        """Return the refusal of a request (an ASGI scope), None if it is allowed."""
         headers: list[tuple[bytes, bytes]] = scope["headers"]
         if len(headers) > MOST_HEADERS or sum(map(len, sum(headers, ()))) > HEAD_BYTES:
             return _refused(
@@ -88,7 +88,7 @@ class Access:
         return None
 
     def _has_token(self, header: bytes) -> bool:
-        """Tell whether an Authorization header carries the token, as bearer or as password."""
+        """Return whether an Authorization header carries the token, as bearer or as password."""
         kind, _, secret = header.partition(b" ")
         if kind.lower() == b"basic":
             try:
@@ -101,7 +101,7 @@ class Access:
 
 
 def access_to(bind: str, token: Path | None, certificate: Path | None, key: Path | None) -> Access:
-    """Return the rules of a page; raise UnusableInput for one that would be open to others.
+    """Return the rules of a page; raise UnusableInput if it would be open to others.
 
     bind: ADDRESS:PORT, port 0 lets the system choose. token: file of mode 0600. certificate, key:
     PEM files; the key is private, too.
@@ -135,7 +135,7 @@ def _token(path: Path) -> bytes:
 
 
 def _check_pair(certificate: Path, key: Path) -> None:
-    """Raise UnusableInput unless a certificate and its private key can be used."""
+    """Raise UnusableInput unless a certificate and its private key are usable."""
     read_secret(key)
     try:
         ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(certificate, key, _no_password)
@@ -161,18 +161,20 @@ def _refused(status: int, sentence: str, **headers: str) -> Refusal:
 # within a moment, however many wait.
 
 MOST_CONNECTIONS = 128
-"""Each holds at most SEND_BYTES twice; the system allows 1024 open files by default."""
+"""Maximum number of connections, each at most SEND_BYTES twice; the system allows 1024 open
+files."""
 MOST_GREETING = 64
 """In the handshake, each for some 50 ms: as many telephones may return after a power cut."""
 ENDS_HELD = 64
 """Ended connections between garbage collections. A failed handshake leaves a cycle of some 70 kB,
 in a hundred small objects: Python's own collections come after thousands."""
 SHARE = 4
-"""One part of the open files that the system allows is for connections, the others for engines."""
+"""Divisor of the system's limit of open files: one part is for connections, the others for
+engines."""
 
 
 def reset(line: Any) -> None:
-    """End a connection at once; else the system stores what was not read, for minutes."""
+    """End a connection at once; else the system stores unread bytes for minutes."""
     line.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
 
 
@@ -191,7 +193,7 @@ class Gate(socket.socket):
         self._spare = os.open(os.devnull, os.O_RDONLY)
 
     def accept(self) -> tuple[socket.socket, Any]:
-        """Return the next connection; raise ConnectionAbortedError where there is no room.
+        """Return the next connection; raise ConnectionAbortedError at the limit.
 
         After some, raise BlockingIOError as if there were no more: asyncio would accept all waiting
         ones, two thousand, before it handles the first.
@@ -237,7 +239,7 @@ class Gate(socket.socket):
         super().close()
 
     def _reject_next(self) -> None:
-        """Accept one with the spare descriptor, and close it; else it would wait."""
+        """Accept a connection with the spare descriptor and close it; else it would wait."""
         self.dropped += 1
         os.close(self._spare)
         try:
@@ -257,12 +259,12 @@ class Guest(socket.socket):
         self._gate = gate
 
     def close(self) -> None:
-        """Close, and free the place."""
+        """Close, and report the end to the gate."""
         self._gate.gone(self)
         super().close()
 
     def let_go(self) -> None:
-        """End a connection that the server reads from, which then closes it."""
+        """End a connection while the server reads from it, which then closes it."""
         reset(self)
         self.shutdown(socket.SHUT_RDWR)
 

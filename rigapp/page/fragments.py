@@ -22,7 +22,7 @@ from rigapp.schema.details import details_of, sentence_of
 from rigapp.schema.wire import json_bytes
 
 RESTART_SHOWN_S = 600.0
-"""For so long the page shows that the engine was started anew."""
+"""Time during which the page shows that the engine was restarted."""
 PARTS = ("head", "force", "trends", "log")
 """The fragments of a rig, in their order."""
 

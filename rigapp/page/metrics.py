@@ -25,7 +25,7 @@ Samples = list[tuple[dict[str, str], float]]
 
 @dataclass(frozen=True, slots=True)
 class RigMetric:
-    """A metric of a rig: its name, its meaning, its samples by their labels beside ``rig``.
+    """A metric of a rig: its name, its meaning, its samples by their labels besides ``rig``.
 
     silent: also for a rig whose engine does not answer.
     """
@@ -285,7 +285,7 @@ class Metrics(Collector):
 
 
 def _apart(views: Sequence[RigView]) -> dict[str, str]:
-    """Return the names of rigs by their identity, those of one name told apart by it."""
+    """Return the names of rigs by identity; equal names are made distinct by it."""
     times = Counter(view.name for view in views)
     return {
         view.identity: view.name if times[view.name] == 1 else f"{view.name} ({view.identity})"

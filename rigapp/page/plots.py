@@ -1,4 +1,4 @@
-"""The plots of a rig: force over the crank angle beside the model, and trends with bands."""
+"""Plots of a rig: force over the crank angle with the model, and trends with bands."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ WIDTH, HEIGHT = 344, 196
 LEFT, RIGHT, TOP, BOTTOM = 50, 8, 8, 34
 """Around the curves: numbers and words of the axes."""
 PARTS_ACROSS, PARTS_UP = 4, 4
-"""About so many parts has an axis: numbers of five digits do not meet."""
+"""Approximate number of parts of an axis: numbers of five digits do not touch."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,7 +153,7 @@ class _Frame:
 BIN_DEG = 2.0
 """On a telephone a revolution is less than 360 pixels wide."""
 BUCKETS = 150
-"""So many pairs of minimum and maximum fill a drawing's width."""
+"""Pairs of minimum and maximum that fill a drawing's width."""
 FORCE_SPAN_N = 5.0
 """As small a range as the window draws: about twice the noise of a good load cell."""
 FEWEST_ROWS = 2
@@ -187,7 +187,7 @@ class Plot:
 
 
 class Painter:
-    """Draw the plots of one rig; axes keep still from one time to the next."""
+    """Draw the plots of one rig; axes are steady between updates."""
 
     def __init__(self) -> None:
         self._steady: dict[str, SteadyRange] = {}
@@ -197,7 +197,7 @@ class Painter:
         self._steady.clear()
 
     def force(self, news: News) -> Plot | None:
-        """Return the newest revolution beside the model, None before the first one."""
+        """Return the newest revolution with the model, None before the first one."""
         cycle, prediction = news.data.cycle, news.data.prediction
         if prediction is not None:
             cycle = news.data.partner(prediction) or cycle
@@ -273,7 +273,7 @@ def _revolution(shown: RevolutionCurves, *, stale: bool) -> Iterator[Curve]:
 
 
 def _fitted(title: str, x_axis: str, y_axis: str, curves: list[Curve]) -> Drawing:
-    """Return a drawing of one revolution whose axis takes in every curve."""
+    """Return a drawing of one revolution whose axis includes every curve."""
     values = np.concatenate([curve.y for curve in curves])
     values = values[np.isfinite(values)]
     low, high = (float(values.min()), float(values.max())) if values.size else (np.nan, np.nan)

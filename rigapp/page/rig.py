@@ -1,4 +1,4 @@
-"""Observe one engine: attach, attach again after a loss, send no request."""
+"""Observe one engine: attach, reattach after a loss, send no request."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ class WatchedRig:
         self.restarted_at = 0.0
 
     def pump(self) -> bool:
-        """Take what is new; return whether another test is shown than before."""
+        """Process new messages; return whether another test is shown than before."""
         snapshot = self._connection.pump()
         changed = snapshot is not None and self._shown.take(snapshot)
         if snapshot is not None:

@@ -1,4 +1,4 @@
-"""Serve the page: the socket, the server, the thread that watches the rigs, and their end."""
+"""Serve the page: socket, server, the thread that watches the rigs, and their shutdown."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ from rigapp.page.rig import engine_named, engines_here
 from rigapp.page.watch import Rigs, Watch
 from rigapp.schema.wire import json_bytes
 
-# The newest of everything for every page: a slot for each fragment, newest wins, nothing queues up.
+# Newest frames for every page: one slot per fragment, the newest replaces older ones.
 #
 # The state of a page is only which version of each slot was sent. While it does not read, new
 # frames replace unsent ones; so a page costs the same whether it reads or not.
 
 MOST_SLOTS = 200
-"""Three a rig, and as many rigs as a page holds, leave room to spare."""
+"""Three per rig, and as many rigs as a page holds, with a margin."""
 
 
 class Hub:
@@ -97,7 +97,7 @@ REQUEST_S = 10.0  # a telephone at the edge of its network takes three
 READ_S = 15.0  # a screen that was locked for a moment continues
 LOOK_S = 1.0
 SEND_BYTES = 1 << 17
-"""The system buffers so much that is sent and not read: two rigs' plots."""
+"""Send buffer of the system for unread bytes: plots of two rigs."""
 
 
 class BoundedConnection(H11Protocol):
@@ -134,7 +134,7 @@ class BoundedConnection(H11Protocol):
         super().connection_lost(exc)
 
     def send_400_response(self, msg: str) -> None:
-        """Answer what cannot be read; in the middle of another answer only the end is left."""
+        """Answer an unreadable request; in the middle of another answer only close."""
         if self.conn.our_state in (h11.IDLE, h11.SEND_RESPONSE):
             super().send_400_response(msg)
         else:
@@ -160,7 +160,8 @@ class BoundedConnection(H11Protocol):
 
 
 MOST_PAGES = 100
-"""Open pages; a laboratory has fewer screens, and other connections stay free for metrics."""
+"""Maximum number of open pages; a laboratory has fewer screens, and other connections stay free
+for metrics."""
 
 ALWAYS = {
     "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self';"

@@ -33,13 +33,13 @@ from rigapp.viewer.shown import (
 )
 
 NOTES = 5
-"""The last ones; all of them are in the log of the test."""
+"""Number of newest notes; all of them are in the log of the test."""
 NOTE_SHOWN = 300
 """Characters: a screen of a telephone."""
 
 
 class LimitView(msgspec.Struct, frozen=True):
-    """A quantity with its limit; used: share of the way to it, 0 to 1.
+    """A quantity with its limit; used: used share of the limit, 0 to 1.
 
     mark: of the alarms about the quantity, and of its age; see ``RigView.tile_marks``.
     """
@@ -128,7 +128,7 @@ class RigView(msgspec.Struct, frozen=True):
 
     @property
     def attached(self) -> bool:
-        """Tell whether the engine answers."""
+        """Return whether the engine answers."""
         return self.line == ConnectionState.ATTACHED
 
 

@@ -1,4 +1,4 @@
-"""Watch every rig in one thread: contents are made once for all open pages."""
+"""Watch every rig in one thread: content is made once for all open pages."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ RIGS_S = 2.0  # an engine that starts is on the page before its first revolution
 MOST_RIGS = 16
 """More do not fit on a screen, and each has four threads."""
 SILENCE_S = 10.0
-"""Of the watching thread, until ``/healthz`` reports that it hangs: a slow computer takes two."""
+"""Silence of the watching thread until ``/healthz`` reports it: a slow computer takes two."""
 
 Rigs = Mapping[str, tuple[str, Find]]
 """By a key: the name of a rig, and the function that finds its engine."""
@@ -63,7 +63,7 @@ class Watch:
 
     @property
     def well(self) -> bool:
-        """Tell whether the thread runs and watches."""
+        """Return whether the thread runs and watches."""
         return self._worker.well
 
     def page(self) -> str:
@@ -81,7 +81,7 @@ class Watch:
         try:
             self._look()
         except OSError as error:
-            # No descriptor, no memory, no network: a passing failure does not end the page.
+            # Lack of descriptors, memory or network: a temporary failure does not end the page.
             if type(error) is not self._trouble:
                 log.warning("The page could not look at the rigs: %s", error)
             self._trouble = type(error)
@@ -127,7 +127,7 @@ class Watch:
         self._publish(frames)
 
     def _set(self, shown: _Shown, now: float) -> RigView:
-        """Make the fragments of a rig anew; return the view they are made of."""
+        """Renew the fragments of a rig; return the view they are made of."""
         news = shown.rig.news()
         view = view_of(shown.rig, news)
         shown.parts["head"] = fragments.head(view, time.time())

@@ -95,7 +95,7 @@ def _tree(text: str) -> Any:
 
 
 def _branches(tree: Any, key: str = "") -> Iterator[tuple[str, str]]:
-    """Yield the texts of nested values with their keys, the keys themselves left out."""
+    """Yield the texts of nested values with their keys, without the keys themselves."""
     if isinstance(tree, str):
         yield key, tree
     elif isinstance(tree, dict | list):
@@ -109,13 +109,13 @@ _VERSION = re.compile(r"version|firmware|platform")
 _TOLD = re.compile(r"(?:notify|ping)\.(?:url|command)")
 
 PUBLIC = frozenset({"http", "https", "doi", "urn"})
-"""Schemes by which documents are cited: a whole domain name there is no secret."""
+"""Schemes by which documents are cited: a whole domain name is not private there."""
 
 
 def found_in(passage: Passage, computers: frozenset[str], people: frozenset[str]) -> Iterator[str]:
     """Yield the private data in a passage, each as the object of a sentence.
 
-    computers: names of the known computers. people: names of those who are no authors.
+    computers: names of the known computers. people: names of persons other than the authors.
     """
     text = passage.text
     for kind in (_addresses, _folders, _networks, _messages):
@@ -161,7 +161,7 @@ def _messages(passage: Passage) -> Iterator[str]:
 
 
 def _private_host(url: str) -> str:
-    """Return the host of a URL that is no public one, no IP address and not this computer."""
+    """Return the host of a URL unless it is public, an IP address or this computer."""
     try:
         parts = urlsplit(REFERENCE.sub("", url))
         host = parts.hostname or ""
@@ -174,7 +174,7 @@ def _private_host(url: str) -> str:
 
 
 def _word(name: str, text: str, flags: int = 0) -> bool:
-    """Return whether a name is in a text, by case too: Max is not the word max."""
+    """Return whether a name is in a text, with its case: Max is not the word max."""
     return re.search(rf"(?<!\w){re.escape(name)}(?!\w)", text, flags) is not None
 
 

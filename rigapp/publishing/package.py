@@ -90,7 +90,7 @@ def _file(container: Any, file: PackedFile) -> Any:
 
 
 def _made_by(library: Any, container: Any, test: PackagedTest, described: dict[str, Any]) -> None:
-    """Describe by which version of the program a test was recorded, and when."""
+    """Describe the version of the program that recorded a test, and the time."""
     version = str(test.configuration.get("versions", {}).get("rigapp", "unknown"))
     program = container.get(f"{PROGRAM}-{version}") or container.add(
         library.ContextEntity(
@@ -111,7 +111,7 @@ def _made_by(library: Any, container: Any, test: PackagedTest, described: dict[s
 
 
 def citation(data: Publication) -> Iterator[str]:
-    """Yield the lines; every text in them is quoted as in JSON, which YAML reads alike."""
+    """Yield the lines; every text in them is quoted as in JSON, which YAML reads equally."""
     yield "cff-version: 1.2.0"
     yield 'message: "If you use these data, please cite them as below."'
     yield "type: dataset"
@@ -155,7 +155,7 @@ def write_archive(
 ) -> None:
     """Write the files in the order of their paths; compressed ones are only stored.
 
-    digests: SHA-256 by path, as it was before. Raises UnusableInput for a file that has changed.
+    digests: earlier SHA-256 by path. Raises UnusableInput for a file that has changed.
     """
     with zipfile.ZipFile(target, "x") as archive:
         for file in sorted(files, key=lambda packed: packed.path):
@@ -176,9 +176,9 @@ def write_archive(
 
 
 class _Deflate:
-    """Compress as ``zlib.compressobj`` does, by all cores; the bytes do not depend on how many.
+    """Compress as ``zlib.compressobj`` does, on all cores; the bytes do not depend on their number.
 
-    Each piece is compressed for itself, with the end of the one before as its dictionary.
+    Each piece is compressed separately, with the end of the previous one as its dictionary.
     """
 
     def __init__(self) -> None:
@@ -194,7 +194,7 @@ class _Deflate:
         self._pool.shutdown(cancel_futures=True)
 
     def compress(self, data: bytes) -> bytes:
-        """Take a piece; return the compressed part of those before."""
+        """Process a piece; return the compressed part of earlier ones."""
         self._pieces.append(self._pool.submit(_deflated, data, self._before))
         self._before = data[-DICTIONARY:]
         return self._pieces.popleft().result() if len(self._pieces) > 2 * self._cores else b""
@@ -206,7 +206,7 @@ class _Deflate:
 
 
 DICTIONARY = 1 << 15
-"""Bytes that deflate looks back."""
+"""Window of deflate in bytes."""
 
 
 def _deflated(data: bytes, before: bytes) -> bytes:
@@ -294,7 +294,7 @@ Shown = Callable[[float, float], None]
 
 
 def published(paths: Sequence[Path], authors: Sequence[str], licence: str) -> Publication:
-    """Return the publication of tests; raise UnusableInput for one that runs, or has no author.
+    """Return the publication of tests; raise UnusableInput for a running test or a missing author.
 
     authors: as "Family, Given"; without any the operators of the tests. licence: as SPDX names it.
     """
@@ -350,7 +350,7 @@ def write_package(data: Publication, to: Path, progress: Shown | None = None) ->
 
 
 def _all_files(data: Publication, work: Path) -> list[PackedFile]:
-    """Return every file but the sums, those that describe the others last."""
+    """Return every file except the sums, those that describe the others last."""
     files = [file for test in data.tests for file in files_of(test, work)]
     about = "the licence of these data"
     cited = "\n".join((*citation(data), ""))

@@ -27,7 +27,7 @@ class PackagedTest:
 
     folder: of its files in the package. state: of the file when it was read. columns:
     name, unit and meaning of each column of its statistics. texts: every text of the file with its
-    path, the log left out.
+    path, without the log.
     """
 
     path: Path
@@ -59,7 +59,7 @@ class PackagedTest:
 
 
 def packaged_tests(paths: Sequence[Path]) -> tuple[PackagedTest, ...]:
-    """Read the facts of tests; raise UnusableInput for one that runs, and for two of a name."""
+    """Read the facts of tests; raise UnusableInput for a running one, and for two of a name."""
     result: dict[str, PackagedTest] = {}
     for path in paths:
         test = _read(path)
@@ -156,7 +156,7 @@ class PackedFile:
         return result.hexdigest()
 
     def parts(self) -> Iterator[bytes]:
-        """Yield its bytes, never many at once."""
+        """Yield its bytes in small pieces."""
         with self.source.open("rb") as stream:
             while part := stream.read(AT_A_TIME):
                 yield part
@@ -197,7 +197,7 @@ def _whole(test: PackagedTest, folder: Path) -> Path:
     """Return the file of a test that goes into its package."""
     if test.compressed:
         return test.path
-    # A file written in place has rows beyond the committed ones, which others take for data.
+    # A file written in place has rows beyond the committed ones, which others would take for data.
     trimmed_copy(test.path, folder / test.path.name)
     return folder / test.path.name
 

@@ -1,4 +1,4 @@
-"""Private data in a text, by patterns; and the text without it."""
+"""Private data in a text, by patterns; and their removal."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ LOCAL_NAME = re.compile(
 )
 
 NO_HOST = frozenset({"hwgrep", "loop", "spy", "alt", "file"})
-"""Schemes whose URLs name a port of this computer, as pyserial has them."""
+"""Schemes whose URLs name a port of this computer, as in pyserial."""
 PROGRAM = frozenset(
     {"", "engine", "limits", "drive", "storage", "twin", "messages", "queue", "operator"}
 )
-"""Names in a log that are no person, and that of a person without a name."""
+"""Names in a log that are not persons, and the name of a person without one."""
 
 
 def without_private(text: str, names: Iterable[str]) -> str:
@@ -57,7 +57,7 @@ def _without_host(url: re.Match[str]) -> str:
 
 
 def address_of(text: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
-    """Return the IP address of a text, None where it is none."""
+    """Return the IP address in a text, None without one."""
     try:
         return ipaddress.ip_address(text)
     except ValueError:

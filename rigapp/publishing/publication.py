@@ -117,7 +117,7 @@ def licence_of(identifier: str) -> Licence:
 
 
 VERSION = "1.0"
-"""Of the data: a package is published once, a corrected one is another publication."""
+"""Version of the data: a package is published once, a corrected one is another publication."""
 KEYWORDS = ("wear test", "slider-crank", "joint clearance", "bushing")
 
 

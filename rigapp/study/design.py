@@ -44,7 +44,7 @@ class StudyFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A study file; ``rigapp.study.kinds`` has the [run] of each kind.
 
     parameters: the parameter file, from the study file's folder. vary: dotted keys of the parameter
-    file, and of [run] with ``run.`` before them.
+    file, and of [run] with the prefix ``run.``.
     """
 
     schema: int
@@ -59,7 +59,7 @@ Value = float | str
 Unit = NDArray[np.float64]
 
 FEWEST_BLOCKS = 4
-"""Fewer base points than this give no sensitivities: all rows are plain points then."""
+"""Fewer base points give no sensitivities: all rows are plain points then."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +84,7 @@ class Design:
 
 
 def design_of(vary: Mapping[str, Varied], section: DesignSection) -> Design:
-    """Return the points of a study; raise UnusableInput for keys that cannot be varied so."""
+    """Return the points of a study; raise UnusableInput for keys that cannot be varied."""
     for key, varied in vary.items():
         _require_usable(key, varied)
     if section.kind == "grid":

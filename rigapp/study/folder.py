@@ -54,7 +54,7 @@ class PowerRow:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StudyResults:
-    """The results of a study. changed: when, seconds since 1970. reason: why there is no table.
+    """The results of a study. changed: time, seconds since 1970. reason: why there is no table.
 
     problems: of each point why it has no result, "" where it has. notes: remarks on its result.
     sensitivities: by result, each index of the parameters in their order.
@@ -78,7 +78,7 @@ class StudyResults:
 
     @property
     def noted(self) -> tuple[tuple[int, str], ...]:
-        """Return the points whose result has notes, each with them."""
+        """Return the points with notes on their result, each with them."""
         return tuple((number, text) for number, text in enumerate(self.notes) if text)
 
     @property
@@ -121,7 +121,9 @@ def study_results(folder: Path) -> StudyResults:
 
 
 def _results(folder: Path, changed: float) -> StudyResults:
-    from rigapp.storage import open_for_reading  # with h5py a tenth of the window's start
+    from rigapp.storage import (
+        open_for_reading,  # with h5py a tenth of the window's start
+    )
 
     path = folder / TABLE
     try:
@@ -155,7 +157,7 @@ def _columns(file: h5py.File, role: str) -> tuple[StudyColumn, ...]:
 
 def _column(name: str, data: h5py.Dataset) -> StudyColumn:
     unit, words = (_text(data.attrs.get(attribute, "")) for attribute in ("units", "long_name"))
-    if data.dtype.kind not in "OS":  # no texts
+    if data.dtype.kind not in "OS":  # not texts
         return StudyColumn(name, unit, Sentence(words), data[...].astype(np.float64))
     texts, places = np.unique(data.asstr()[...].astype(str), return_inverse=True)
     return StudyColumn(

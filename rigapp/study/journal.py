@@ -1,4 +1,4 @@
-"""The stored rows of a study, in a file that only grows, so that a killed study can go on."""
+"""Stored rows of a study, in an append-only file, so that a killed study can be resumed."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class StudyIdentity(msgspec.Struct, frozen=True):
 
 
 class StudyJournal:
-    """Append rows, each on the disk when it is written; one process at a time."""
+    """Append rows, each committed to the disk; one process at a time."""
 
     def __init__(self, folder: Path, identity: StudyIdentity) -> None:
         """Continue a folder, or begin it; raise UnusableInput for another study's."""
@@ -59,7 +59,7 @@ class StudyJournal:
         self._file.close()
 
     def append(self, rows: Iterable[StudyRow]) -> None:
-        """Write rows; they are on the disk when this returns."""
+        """Write rows; they are on the disk on return."""
         lines = b"".join(json_bytes(row) + b"\n" for row in rows)
         self._file.write(lines)
         self._file.flush()
@@ -91,7 +91,7 @@ class StudyJournal:
             )
 
     def _read(self) -> dict[int, StudyRow]:
-        """Return the complete rows; a last one cut off by a kill is removed."""
+        """Return the complete rows; an incomplete last one is removed."""
         self._file.seek(0)
         data = self._file.read()
         end = data.rfind(b"\n") + 1

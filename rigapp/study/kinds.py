@@ -85,8 +85,8 @@ class Result:
 class StudyKind:
     """One kind of study.
 
-    settings: of [run]. compute (parameters, settings, seed): its results by name, NaN where one is
-    not known, with remarks; raises ValueError or UnusableInput with the
+    settings: of [run]. compute (parameters, settings, seed): its results by name, NaN where
+    unknown, with remarks; raises ValueError or UnusableInput with the
     sentence of the point. modelled: whether it needs a parameter file.
     """
 
@@ -145,7 +145,7 @@ def _life(parameters: Parameters | None, run: LifeRun, seed: int) -> Noted:
         run.joint,
         run.tolerance,
         force=run.force_N,
-        rows=(run.cycles,),  # a study keeps the end alone, and each row between costs steps
+        rows=(run.cycles,),  # a study uses only the end, and each row in between costs steps
     )
     numbers = {
         "max_depth_mm": float(result.max_depth[-1] / MM),

@@ -1,4 +1,4 @@
-"""The work of a worker: compute some points of a study, a row for each, failed or not."""
+"""Work of a worker: compute some points of a study, one row each, failed or not."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def _row(batch: Batch, point: StudyPoint) -> StudyRow:
 
 
 def meant(batch: Batch, values: Mapping[str, Value]) -> tuple[Parameters | None, Any]:
-    """Return the parameters and the settings of a point; raise UnusableInput."""
+    """Return the parameters and settings of a point; raise UnusableInput."""
     kind, run = KINDS[batch.kind], dict(batch.run)
     tree = copy.deepcopy(batch.parameters)
     for key, value in values.items():

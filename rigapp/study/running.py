@@ -42,7 +42,7 @@ FACTOR = "run.coefficient_factor"
 def write_power(
     folder: Path, study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
 ) -> list[Path]:
-    """Write when which share of virtual tests detected each factor of the coefficient, if any."""
+    """Write the revolutions after which shares of virtual tests detected each factor, if any."""
     if KINDS[study.kind].settings is not VirtualTest:
         return []
     path = folder / POWER
@@ -58,7 +58,7 @@ def write_power(
 def seen_by_factor(
     study: StudyFile, design: Design, rows: Mapping[int, StudyRow]
 ) -> dict[float, list[float]]:
-    """Return the revolutions at which the tests of each factor detected it, else inf."""
+    """Return the revolutions at which the tests of each factor detected it, or inf."""
     assert isinstance(study.run, VirtualTest)
     by_key: dict[float, list[float]] = {}
     for point in design.points:
@@ -76,11 +76,11 @@ def revolutions_until(seen: list[float], share: float) -> float:
 
 
 BATCH = 8
-"""Points that a worker takes at once: tenths of a second, and so much is lost with a worker."""
+"""Points in a batch for a worker: tenths of a second, which is the loss if the worker dies."""
 AHEAD = 3
-"""Batches that wait at each worker, so that none is ever idle."""
+"""Batches that wait at each worker, so that none is idle."""
 LOST_WORKERS = 20
-"""Workers that may die under a batch before it counts as the cause."""
+"""Workers that may die with a batch before it counts as the cause."""
 CONNECT_S = 30
 """A running scheduler answers at once; one on a busy cluster takes seconds."""
 
@@ -102,8 +102,8 @@ class Study:
 class StudyEnd:
     """The end of a study: points in all, done, without a result; written files.
 
-    noted: points whose results have notes. unresolved: a sentence a result whose sensitivities need
-    more points.
+    noted: points whose results have notes. unresolved: a sentence for each result whose
+    sensitivities need more points.
     """
 
     points: int
@@ -157,7 +157,7 @@ def _matching(folder: Path, pattern: str) -> Iterator[Path]:
 
 
 def _require_known(record: StudyFile, vary: dict[str, Varied]) -> None:
-    """Refuse unknown keys, and values that they cannot have, before anything is computed."""
+    """Refuse unknown keys and invalid values before anything is computed."""
     kind = KINDS[record.kind]
     known = {f"{RUN}{key.path}": key for key in keys_of(kind.settings)}
     known |= {key.path: key for key in keys_of(ParameterFile)} if kind.modelled else {}
@@ -245,7 +245,7 @@ def _compute(
     progress: Progress | None,
     report: Callable[[str], None],
 ) -> None:
-    """Distribute batches, a few ahead of each worker, and store each as soon as it is back."""
+    """Distribute batches, a few ahead of each worker, and store each on arrival."""
     from distributed import as_completed
 
     total = len(study.design.points)
@@ -328,7 +328,7 @@ def _client(scheduler: str, workers: int | None) -> Iterator[Any]:
 
 
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
-"""A worker is one core: threads of libraries would compete for them."""
+"""Each worker uses one core: threads of libraries would compete for them."""
 
 
 def _connected(scheduler: str) -> Any:

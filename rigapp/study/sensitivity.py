@@ -16,7 +16,7 @@ RESAMPLES = 1000
 LIMITS = (2.5, 97.5)
 FEWEST = 4
 RESOLVED = 0.1
-"""Half the distance of its limits up to which an index is resolved: the ranking is then known, but
+"""Half the width of the limits up to which an index is resolved: the ranking is then known, except
 for keys of about the same index."""
 
 
@@ -32,10 +32,7 @@ class Indices:
     total_high: Floats
 
     def points_needed(self, base_points: int) -> int:
-        """Return the number of base points that resolves every index; 0 where these do.
-
-        The limits narrow as one over the root of the number of points.
-        """
+        """Return the number of base points that resolves every index; 0 if the present ones do."""
         ends = (
             (self.first_order_low, self.first_order_high),
             (self.total_low, self.total_high),
@@ -60,7 +57,7 @@ def indices_of(blocks: Floats, seed: int) -> Indices | None:
         return None
     first, total = _estimates(known)
     random, count = np.random.default_rng(seed), known.shape[1]
-    # One at a time: all together are a thousand times the study.
+    # One at a time: all together take a thousand times the memory of the study.
     drawn = (_estimates(known[:, random.integers(0, count, count)]) for _ in range(RESAMPLES))
     limits = np.nanpercentile(np.array(list(drawn)), LIMITS, axis=0)
     (low, total_low), (high, total_high) = limits
@@ -72,7 +69,7 @@ def _estimates(blocks: Floats) -> tuple[Floats, Floats]:
     a, b, mixed = blocks[0], blocks[1], blocks[2:]
     variance, mean = blocks[:2].var(), blocks[:2].mean()
     with np.errstate(divide="ignore", invalid="ignore"):
-        # Centred: the mean of a result is no share of its variance, and only makes noise.
+        # Centred: the mean of a result is not part of its variance, and only adds noise.
         first = ((b - mean) * (mixed - a)).mean(axis=-1) / variance
         total = 0.5 * ((a - mixed) ** 2).mean(axis=-1) / variance
     return first, total

@@ -139,7 +139,7 @@ def _csv(table: xarray.Dataset, path: Path) -> None:
 
 
 MOST_SHOWN = 6
-"""Parameters and results beside each other; more cannot be read."""
+"""Parameters and results side by side; more are unreadable."""
 DPI = 160
 DECADE = 10.0
 _AMBIGUOUS = ("youngs_modulus", "poissons_ratio")
@@ -202,7 +202,7 @@ def _varies(name: str, design: Design, rows: Mapping[int, StudyRow]) -> bool:
 
 
 def label_of(key: str, *, unit: bool = True) -> str:
-    """Return a dotted key in words, with its unit: as an axis is named."""
+    """Return a dotted key in words, with its unit, as an axis label."""
     section, _, name = key.rpartition(".")
     words = stem_of(name).replace("_", " ")
     if name.startswith(_AMBIGUOUS):

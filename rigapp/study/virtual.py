@@ -25,7 +25,7 @@ MICRO = 1e-6
 MM3_PER_NM = 1e9
 POINTS = 720
 DEEPER = 1.5
-"""The life is computed to so many times the depth that the test reaches."""
+"""Factor of the test's depth up to which the life is computed."""
 
 
 class VirtualTest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
