@@ -17,7 +17,7 @@ SENTENCES: Final = "sentences"
 
 
 def catalogue_file(code: str) -> Path:
-    """Return the file of a catalogue, which is beside the window, whose Qt tools maintain it."""
+    """Return the file of a catalogue, stored with the window, whose Qt tools maintain it."""
     return Path(__file__).parents[1] / "gui" / "language" / f"{code}.ts"
 
 

@@ -57,7 +57,7 @@ def language() -> str:
 
 
 def speaks_english() -> bool:
-    """Tell whether texts stay in English."""
+    """Return whether texts stay in English."""
     return _SPOKEN.translations is None
 
 

@@ -1,1 +1,1 @@
-"""The model beside the data: a worker process that predicts each measured revolution."""
+"""The model parallel to the data: a worker process that predicts each measured revolution."""

@@ -1,4 +1,4 @@
-"""The state from which a new twin continues another one: kept beside the test, and in its file."""
+"""State from which a new twin continues another one: stored with the test, and in its file."""
 
 from __future__ import annotations
 

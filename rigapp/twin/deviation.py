@@ -250,7 +250,7 @@ def _causes(
 
 
 def _cell_columns(force: Array, cell: CellDoubt) -> Array:
-    """Return the errors of the cell beside its gain, (columns, 2 POINTS), N.
+    """Return the errors of the cell except its gain, (columns, 2 POINTS), N.
 
     Its zero, a difference of gains, cross-talk, and a turn on the crank.
     """

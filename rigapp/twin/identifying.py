@@ -51,16 +51,16 @@ LIFE_ERROR = 0.01
 elasticity and wear at an equal coefficient, the model's and the simulated rig's."""
 LEAST_REFERENCE, NO_REFERENCE = 1e-8, 1.0
 """The zero of the depth is never better known than the first, m: the resolution of the probes. The
-second stands for an unknown one."""
+second is for an unknown one."""
 MODULUS_DOUBT = 0.2
 """Relative standard uncertainty of the bushing's modulus: data sheets of polymers differ by it."""
 MODULUS_SHARE = 0.65
-"""A modulus that is wrong by a part moves a reading at equal progress by so much of that part of
-the change of the approach: 0.5 to 0.8, less the larger the load, by lives of moduli a fifth apart.
-Most of it is the approach that is taken out wrongly, early on the computed life."""
+"""Change of a reading at equal progress by a relative error of the modulus, as a part of that error
+times the change of the approach: 0.5 to 0.8, less the larger the load, by lives of moduli a fifth
+apart. Most of it is the wrongly removed approach, early on the computed life."""
 CLEARANCE_SHARE = 0.4
-"""A clearance that is larger by a part takes so much of it from the coefficient at equal depth: of
-a rigid crescent 0.48 to 0.43 at 13 to 43 um, and 0.30 to 0.35 where the approach is taken out of
+"""Relative decrease of the coefficient at equal depth by a relative increase of the clearance: for
+a rigid crescent 0.48 to 0.43 at 13 to 43 um, and 0.30 to 0.35 where the approach is removed from
 the reading by the stated clearance."""
 WIDTH = 1e-4
 """Standard tolerance of the bushing's width, m: turned polymers are within 0.2 mm."""
@@ -177,7 +177,7 @@ def _without_running_in(parameters: Parameters) -> Parameters:
 
 @dataclass(slots=True)
 class Identifier:
-    """Gather readings of the depth, and compute the posterior when a bin closes.
+    """Collect readings of the depth, and compute the posterior when a bin closes.
 
     progress: measured, nominal cycles by revolution ``revolution``; reference: standard
     uncertainty of the depth's zero, m; deepest: measured, m; ratio: K to the model's; ends: the

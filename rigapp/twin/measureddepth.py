@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 FIRST_STEADY = 3
 NEW_REVOLUTIONS = 5
-"""The bushing counts as new in so many revolutions from FIRST_STEADY on."""
+"""Number of revolutions from FIRST_STEADY on in which the bushing counts as new."""
 ELASTIC_DOUBT = 0.2
 """Relative standard uncertainty of the change of the elastic approach: modulus, load, support."""
 USUAL_RAD = float(np.radians(10.0))

@@ -1,4 +1,4 @@
-"""The twin: predicts each revolution and wears two bushings beside the real one.
+"""The twin: predicts each revolution and wears two bushings parallel to the real one.
 
 One is worn by the predicted forces from the first cycle on, independent of measurements;
 the other by the forces that the load cell measures. The probes measure the real one.

@@ -35,7 +35,7 @@ log = logging.getLogger(__name__)
 
 
 class Remarks(logging.Handler):
-    """Gather the warnings of the model and the twin for the next answer, the newest few."""
+    """Collect the warnings of the model and the twin for the next answer, the newest few."""
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)

@@ -1,4 +1,4 @@
-"""Measurement beside model: the arrays of one revolution, their difference, values at an angle."""
+"""Measurement and model: the arrays of one revolution, their difference, values at an angle."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ class EngineClient(Protocol):
         ...
 
     def close(self) -> None:
-        """Detach; the engine goes on."""
+        """Detach; the engine continues."""
         ...
 
 
@@ -219,7 +219,7 @@ class EngineConnection:
             handler(Reply(ok=False, sentence=say("Too many requests are waiting for an answer.")))
 
     def close(self) -> None:
-        """Detach; the engine goes on. A client still in use is left to the end of the process."""
+        """Detach; the engine continues. A client in use is left to the end of the process."""
         self._closed = True
         client, self._client = self._client, None
         if client is not None and self.command.holder is CommandHolder.THIS:

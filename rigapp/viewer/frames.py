@@ -38,7 +38,7 @@ SHORT_NAMES: Final[dict[ForceFrame, tuple[Text, Text]]] = {
     ForceFrame.FOLLOWER: ("along", "across"),
     ForceFrame.GLOBAL: COMPONENT_NAMES[ForceFrame.GLOBAL],
 }
-"""The components where the frame is named beside them."""
+"""Names of the components in a text that names the frame as well."""
 
 
 def follower_angle(crank_angle_rad: ArrayLike, crank_over_follower: float) -> Floats:

@@ -36,7 +36,7 @@ Floats = NDArray[np.float64]
 ODDS = 20.0
 """Odds from which a statement is made, as in the sentences of ``rigapp_model.identification``."""
 TIMEOUT_S = 120.0
-"""Of one computation: it takes seconds, on a busy computer a minute."""
+"""Time limit of one computation: it takes seconds, on a busy computer a minute."""
 COEFFICIENT, REMAINING = "wear_coefficient", "remaining_revolutions"
 
 
@@ -99,7 +99,7 @@ def newest_wear(predictions: SeriesTable) -> NewestWear:
 
 
 def wear_of(news: News, now: float) -> list[FreeValue]:
-    """Return the tiles of the wear of the test that is shown; with the date while it goes on."""
+    """Return the tiles of the wear of the shown test; with the date while it runs."""
     status, rows = news.status, news.data.rows
     live = status is not None and status.engine.state is RunState.RUNNING and not news.is_replay
     rpm = _rpm(rows, live) if len(rows) else 0.0
@@ -110,7 +110,7 @@ def wear_of(news: News, now: float) -> list[FreeValue]:
 
 
 def _rpm(rows: SeriesTable, live: bool) -> float:
-    """Return the present speed; of a test that does not go on the last one outside of ramps."""
+    """Return the present speed; for a test that does not run the last one outside of ramps."""
     if live or QUALITY not in rows.names:
         return abs(rows.last("speed"))
     speed, quality = (rows.newest(name, RECENT) for name in ("speed", QUALITY))
@@ -122,8 +122,8 @@ def wear_values(
 ) -> list[FreeValue]:
     """Return the tiles of the wear coefficient and of the time that remains; none without it.
 
-    rpm: the present speed, by the wall clock; now: the host's time, None where the test does
-    not go on; revolution: the present one, from which the remaining ones count down.
+    rpm: the present speed, by the wall clock; now: the host's time, None if the test does
+    not run; revolution: the present one, from which the remaining ones count down.
     """
     newest = newest_wear(predictions)
     if not newest.known:
@@ -171,7 +171,7 @@ class WearBand:
 class KnownWear:
     """The result of ``rigapp identify`` for a test.
 
-    after: the revolution that it was known after, 0 where nothing is; planned: the last one;
+    after: the revolution from which it was known, 0 if unknown; planned: the last one;
     bands: the early one first, the last one last; readings: revolution and depth (um) of the bins;
     course: columns over the revolutions after which something was known; depth_um: of the end.
     """
@@ -237,7 +237,7 @@ def _floats(values: list[float | None]) -> Floats:
 
 NOTHING = KnownWear("")
 REST_S = 3.0
-"""Between two computations: at the highest speed of a simulated rig bins come faster than that."""
+"""Pause between two computations: at the highest speed of a simulated rig bins come faster."""
 Read = Callable[[Path, int], KnownWear]
 """Computes the result for a test after a revolution, on a worker thread."""
 

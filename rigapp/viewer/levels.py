@@ -68,7 +68,7 @@ class LimitLevel:
 
     origin: number of the rule that it belongs to. severity: "warning" or "critical". side: "above"
     or "below". value: None where none is set yet. hysteresis: how far back it ends. steps: of
-    the test, in which it is judged; all of them without any.
+    the test, in which it is evaluated; none: all of them.
     """
 
     origin: int
@@ -177,7 +177,7 @@ def rules_of(
     """Return the rules of levels, and the indices of each one's levels.
 
     original: the rules of the file, whose keys stay as written where they mean the same. A level
-    that does not fit its rule any more makes one of its own, at the end.
+    that no longer fits its rule becomes a rule of its own, at the end.
     """
     rules: list[dict[str, Any]] = []
     places: list[list[int]] = []
@@ -259,7 +259,7 @@ def _plain(fault: str) -> str:
 
 
 def never_comes(level: LimitLevel, limits: LimitsSection | None) -> str:
-    """Return why a level cannot be reached, as the drive goes off before; empty where it can."""
+    """Return why a level cannot be reached, as the drive is off before; empty if it can."""
     if limits is None or level.side == "below" or not isinstance(level.value, int | float):
         return ""
     for name, limit in ALWAYS.items():

@@ -1,4 +1,4 @@
-"""Lines to draw, and the extremes that an axis follows: of revolutions without a flag."""
+"""Lines to draw, and the extremes for an axis: of revolutions without a flag."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ class WatchedLimit:
 
 @dataclass(frozen=True, slots=True)
 class Margin:
-    """A quantity, in the unit of its limit, beside it; level: by the alarms about the quantity.
+    """A quantity and its limit, in the unit of the limit; level: by the alarms about the quantity.
 
     sign: before the value.
     """
@@ -116,7 +116,7 @@ class Margin:
 
 
 def margins(news: News) -> list[Margin]:
-    """Return the limits that the newest revolution can be judged by, in the order of the test.
+    """Return the limits that apply to the newest revolution, in the order of the test.
 
     The largest |F| is that of a trip where it is larger: its revolution is unfinished.
     Of two levels on one side the next one is returned: the critical one when the other is passed.

@@ -9,7 +9,7 @@ from rigapp.schema.loglines import alarm_change, severity_of
 from rigapp.schema.messages import Event, Severity
 
 MOST = 200
-"""Moments that are kept: more lines than this cannot be distinguished."""
+"""Maximum number of moments: more lines cannot be distinguished."""
 
 
 @dataclass(frozen=True, slots=True)

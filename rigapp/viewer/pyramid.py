@@ -85,7 +85,7 @@ class Pyramid:
 
     NaN means "not known" and is ignored unless a whole bucket is unknown. Its memory hardly grows
     with its length: rows older than ``kept`` are held in buckets alone, and come from ``fetch``
-    where that is given. limit: as if the series ended after so many rows (a replay); None: all.
+    where that is given. limit: number of visible rows (a replay); None: all.
     """
 
     def __init__(self, capacity: int = 1 << 16, kept: int = KEPT) -> None:
@@ -246,7 +246,7 @@ def _reduce(operation: np.ufunc, values: NDArray[np.floating], ratio: int) -> ND
 
 
 def polyline(x: Floats | RowNumbers, envelope: Envelope) -> tuple[Floats, Floats]:
-    """Return the points of a line that visits every minimum and maximum of an envelope.
+    """Return the points of a line through every minimum and maximum of an envelope.
 
     x: position of every row of the series. Runs of unknown values shrink to one NaN point.
     """

@@ -1,4 +1,4 @@
-"""Axis ranges that keep still: 1-2-5 steps with hysteresis instead of automatic ranging."""
+"""Steady axis ranges: 1-2-5 steps with hysteresis instead of automatic ranging."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ def round_places(low: float, high: float, parts: int, least: int = 3) -> tuple[f
 
 
 FILLED_LEAST = 0.45
-"""Of an axis: a range that the data fill less shrinks to the next step below."""
+"""Part of an axis: a range filled less by the data shrinks to the next step below."""
 SPARE, SPARE_BOTH = 1.02, 1.06
-"""Room beyond the largest value, on one side and on both: a line does not lie on the edge."""
+"""Margin beyond the largest value, on one side and on both: a line does not lie on the edge."""
 
 
 class SteadyRange:
-    """Hold an axis range: grow at once, shrink only when the data fill less than 45 % of it.
+    """An axis range: grows at once, shrinks only when the data fill less than 45 % of it.
 
-    minimum_span: the smallest range shown, so that noise is not blown up to the full height.
+    minimum_span: the smallest range shown, so that noise is not enlarged to the full height.
     symmetric: keep zero in the middle (residuals).
     """
 

@@ -97,7 +97,7 @@ class RecordedTable(SeriesTable):
         self.show(0)
 
     def show(self, count: int) -> None:
-        """Show so many rows, as if there were no others."""
+        """Show the first ``count`` rows only."""
         if count != self._x.limit:
             self._single.clear()
         self._x.limit = count
@@ -120,7 +120,7 @@ class RecordedTable(SeriesTable):
         return result
 
     def newest(self, name: str, count: int, stop: int | None = None) -> NDArray[np.floating]:
-        """Return the last values of a series, up to so many, of rows before ``stop``."""
+        """Return the last ``count`` values of a series, or fewer, of rows before ``stop``."""
         super().series(name)
         end = len(self) if stop is None else min(stop, len(self))
         key = (name, count, end)

@@ -143,7 +143,7 @@ class SeriesTable:
         return float(result[-1]) if len(result) else float("nan")
 
     def newest(self, name: str, count: int, stop: int | None = None) -> NDArray[np.floating]:
-        """Return the last values of a series, up to so many, of rows before ``stop``."""
+        """Return the last ``count`` values of a series, or fewer, of rows before ``stop``."""
         end = len(self) if stop is None else min(stop, len(self))
         return self._series[name].rows(end - count, end)
 
@@ -213,7 +213,7 @@ class Doubt:
 
 
 class LiveData:
-    """Collect snapshots into the data of the panels, which only read."""
+    """Collect snapshots as the data of the panels, which only read."""
 
     def __init__(self, planned: int = 0, kept: int = KEPT) -> None:
         capacity = max(1 << 16, planned + 1024)
@@ -260,7 +260,7 @@ class LiveData:
         """Show the first ``count`` rows of a recorded test; live data ignores it."""
 
     def forget_newest(self) -> None:
-        """Drop the newest curves: a replay goes on from an earlier row."""
+        """Drop the newest curves: a replay continues from an earlier row."""
         self.cycle, self.prediction, self.profile = None, None, None
         self._cycles.clear()
 

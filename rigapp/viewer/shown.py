@@ -30,7 +30,7 @@ class Level(enum.IntEnum):
 
 
 MARKS: Final = {Level.NORMAL: "", Level.WARNING: "▲ ", Level.CRITICAL: "◆ "}
-"""The shape beside a value, so that nothing depends on colour alone."""
+"""The shape at a value, so that nothing depends on colour alone."""
 
 _LEVELS: Final = {Severity.WARNING: Level.WARNING, Severity.CRITICAL: Level.CRITICAL}
 
@@ -62,7 +62,7 @@ class Age:
         return "" if self.seconds is None else tr("{} old", duration(self.seconds))
 
     def and_before(self, seconds: float | None) -> Age:
-        """Return the age of a value that was so old already when it was taken."""
+        """Return the age of a value that was old already when it was received."""
         if seconds is None or not math.isfinite(seconds):
             return self
         return replace(self, seconds=(self.seconds or 0.0) + max(seconds, 0.0))

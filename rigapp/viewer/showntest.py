@@ -34,7 +34,7 @@ HELD_SNAPSHOTS = 600
 ATTEMPTS = 3  # a file that is being written may be unreadable once
 RETRY_S = 2.0  # between two attempts
 LOG_EVERY_S = 2.0
-"""The log is read from the file so often while it is shown."""
+"""Interval for reading the log from the file while it is shown."""
 
 HistoryLoader = Callable[[Path, int], StoredTest]
 RevolutionLoader = Callable[[Path, int], StoredRevolution]
@@ -130,7 +130,7 @@ class ShownTest:
             self.trip = None if self._trip_wanted else trip
 
     def deliver(self) -> None:
-        """Take finished readings; request series that a panel has missed."""
+        """Deliver finished results; request series that a panel has missed."""
         self._worker.deliver()
         names, data = self.data.wanted(), self.data
         if names is None or self._reading:

@@ -104,7 +104,7 @@ class LoadCellCalibration:
 
     @property
     def accepted(self) -> bool:
-        """Tell whether there is a fit and nothing blocks it."""
+        """Return whether there is a fit and nothing blocks it."""
         return self.fit is not None and not blocked(self.problems)
 
 

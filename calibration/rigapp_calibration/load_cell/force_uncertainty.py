@@ -4,7 +4,7 @@ The calibration states U(F) = constant + relative |F| for all parts that do not 
 angle reference, fit, hysteresis, zero, and what changes in use. It is that of one component in its
 worst direction; that of |F|, whose error is the component along F, has its own two numbers where
 the calibration states them (an error of the angle turns F and leaves |F|). |F| is the magnitude of
-the whole force also where a component is told. A single sample has its noise besides:
+the whole force also for a component. A single sample has its noise in addition:
 
     U = sqrt((constant + relative |F|)^2 + (coverage factor noise)^2 / n)
 

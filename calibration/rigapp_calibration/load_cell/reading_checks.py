@@ -229,7 +229,7 @@ def _runs_of(readings: LoadCellReadings) -> list[tuple[str, int]]:
 
 
 def coarse(readings: LoadCellReadings) -> bool:
-    """Tell whether the signals come in steps of more than a few hundredths of a newton."""
+    """Return whether the signals come in steps of more than a few hundredths of a newton."""
     per_newton = np.ptp(readings.signal, axis=0) / (20.0 * max(readings.mass.max(), 1e-9))
     steps = [np.diff(np.unique(column)) for column in readings.signal.T]
     return any(len(d) == 0 or d.min() > 0.05 * g for d, g in zip(steps, per_newton, strict=True))

@@ -64,7 +64,7 @@ class Use:
 
 @dataclass(frozen=True, slots=True)
 class LoadCellSettings:
-    """Gather all settings of a load-cell calibration; angles in rad.
+    """All settings of a load-cell calibration; angles in rad.
 
     angle_stated: an angle reference was taken; else the offset is unknown. gravity_stated: it was
     given as a value, not from latitude and height. gravity_expected: what latitude and height give,

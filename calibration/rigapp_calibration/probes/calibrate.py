@@ -277,7 +277,7 @@ class PairCalibration:
 
     @property
     def accepted(self) -> bool:
-        """Tell whether nothing blocks the pair."""
+        """Return whether nothing blocks the pair."""
         return self.alignment is not None and not blocked(self.problems)
 
 
