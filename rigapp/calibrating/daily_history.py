@@ -111,7 +111,7 @@ def entry_of(
         "sentence": check.sentence,
         "largest_N": check.largest,
         "allowed_N": check.allowed,
-        **judged_by(check),
+        **decision_rule_keys(check),
         "weight_N": weight,
         "expanded_uncertainty_ratio": None if share is None else share / weight,
         "calibration": _digest(calibration)[:12],
@@ -119,7 +119,7 @@ def entry_of(
     }
 
 
-def judged_by(check: DailyCheck) -> dict[str, Any]:
+def decision_rule_keys(check: DailyCheck) -> dict[str, Any]:
     """Return the rule that evaluated a check: U along, across and of the zero, N, and in words."""
     names = ("along", "across", "zero")
     return {
@@ -172,9 +172,9 @@ def _charts(entries: Sequence[Mapping[str, Any]]) -> dict[str, Chart]:
             # A zero follows the temperature: no limits of its history.
             charts[name] = Chart(np.array(values), charted.promised, last["zero_allowed_N"])
         else:
-            judged = chart(values, charted.promised, last["expanded_uncertainty_ratio"])
+            evaluated = chart(values, charted.promised, last["expanded_uncertainty_ratio"])
             # A level error shows in all of them: the check reports it, the cell is right.
-            charts[name] = replace(judged, findings=()) if last.get("turned_deg") else judged
+            charts[name] = replace(evaluated, findings=()) if last.get("turned_deg") else evaluated
     return charts
 
 

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 from rigapp.calibrating.daily_history import (
     DailyHistory,
     append_check,
+    decision_rule_keys,
     entry_of,
-    judged_by,
     read_history,
 )
 from rigapp.calibrating.load_cell_result import fit_load_cell
@@ -367,7 +367,7 @@ class LoadCellSession(LiveSession[LoadCellPlan, LoadCellWindow, LoadCellFile]):
             "sensitivity_ratio": check.sensitivity,
             "cross_talk_ratio": check.cross_talk,
             "zero_N": check.zero.tolist(),
-            **judged_by(check),
+            **decision_rule_keys(check),
         }
         return Outcome(say("daily check"), result, (check.sentence, check.rule), check=check)
 

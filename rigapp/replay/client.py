@@ -76,8 +76,8 @@ class RecordedAlarms:
         values: the columns of the revolution's row.
         """
         self._go_to(revolution)
-        judged = not int(values.get("quality", 0)) & NOT_STEADY
-        if self._limits is None or self._monitor is None or not judged:
+        evaluated = not int(values.get("quality", 0)) & NOT_STEADY
+        if self._limits is None or self._monitor is None or not evaluated:
             return math.nan, ""
         worst, name = least_margin(self._monitor, self._limits, values)
         return (worst, name) if math.isfinite(worst) else (math.nan, "")

@@ -45,7 +45,7 @@ class BushingAhead:
     _depths: list[float] = field(default_factory=list)
     _rows: list[Array] = field(default_factory=list)
     _failed: bool = False
-    _told: Approach | None = None
+    _approach: Approach | None = None
 
     def upto(self, depth: float) -> Approach | None:
         """Return the approach at depths up to one at least, m; None where the model fails."""
@@ -58,11 +58,11 @@ class BushingAhead:
             log.warning(
                 say("The elastic approach is not known beyond {:g} m: {}", self._reach, why)
             )
-        if self._rows and (self._told is None or self._told.depths.size < len(self._rows)):
+        if self._rows and (self._approach is None or self._approach.depths.size < len(self._rows)):
             order = np.argsort(self.loads.magnitude)
             table = np.array(self._rows)[:, order]
-            self._told = Approach(np.array(self._depths), self.loads.magnitude[order], table)
-        return self._told
+            self._approach = Approach(np.array(self._depths), self.loads.magnitude[order], table)
+        return self._approach
 
     @property
     def _reach(self) -> float:

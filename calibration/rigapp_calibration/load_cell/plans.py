@@ -25,10 +25,10 @@ from rigapp_calibration.load_cell.weights import (
     WeightChange,
     change_to,
     next_change,
+    piece_texts,
     pin_force,
     possible_loads,
     rising_loads,
-    told_pieces,
 )
 from rigapp_calibration.load_cell.wiring import check_plugs
 from rigapp_calibration.taking.procedure import Method, Procedure, Step, StepKind
@@ -232,7 +232,7 @@ def _change_words(change: WeightChange) -> str:
         return (
             say("Take all weights off.") if change.remove else say("The pin must carry no weight.")
         )
-    off, on = (" + ".join(told_pieces(one)) for one in (change.remove, change.add))
+    off, on = (" + ".join(piece_texts(one)) for one in (change.remove, change.add))
     if not change.remove and not change.add:
         return say("Change nothing: {:g} kg stay on the pin.", change.mass)
     if not change.add:

@@ -108,24 +108,24 @@ def _along_only(evidence: Evidence) -> Marks:
     return wrong & (np.abs(_deviations_within_run(evidence, off, wrong)) > 0.5 * sure)
 
 
-def _deviations_within_run(evidence: Evidence, off: Array, asked: Marks) -> Array:
+def _deviations_within_run(evidence: Evidence, off: Array, selected: Marks) -> Array:
     """Return the deviations of readings from the rest of their run, (n,) N; ``off`` of all others.
 
     The rest gives a gain and a curvature, by Huber. Its prediction of the heaviest load is less
     certain: deviations are scaled to those of a well predicted reading.
     """
-    beside, runs = off.copy(), evidence.loads.runs()
+    deviations, runs = off.copy(), evidence.loads.runs()
     share = evidence.loads.applied / evidence.loads.applied.max()
     rows = np.column_stack((share, share**3))
-    for index in np.flatnonzero(asked):
+    for index in np.flatnonzero(selected):
         rest = (runs == runs[index]) & (share > 0.0)
         rest[index] = False
         if np.count_nonzero(rest) + 1 < FEWEST_SMOOTH:
             continue
         solved, spread = _huber_line(rows[rest], off[rest], evidence.noise)
         doubt = float(rows[index] @ spread @ rows[index])
-        beside[index] = (off[index] - rows[index] @ solved) / np.sqrt(1.0 + doubt)
-    return beside
+        deviations[index] = (off[index] - rows[index] @ solved) / np.sqrt(1.0 + doubt)
+    return deviations
 
 
 def _huber_line(rows: Array, values: Array, noise: float) -> tuple[Array, Array]:

@@ -139,7 +139,7 @@ class WeightChange:
         return sum(self.hanging)
 
 
-def told_pieces(pieces: Iterable[float]) -> list[str]:
+def piece_texts(pieces: Iterable[float]) -> list[str]:
     """Return pieces (kg) in words, heaviest first, equal ones together."""
     ordered = sorted(Counter(pieces).items(), reverse=True)
     return [

@@ -161,7 +161,7 @@ def _result(
     residual = readings.signal / slope - intercept / slope - readings.position
     std = math.sqrt(float(np.sum(residual**2)) / (count - 2))
     span = float(np.ptp(readings.position))
-    gain, bending = _cylinder(readings, settings)
+    gain, curvature = _cylinder(readings, settings)
     relative = abs(float(GTC.uncertainty(line[1]) / slope))
     away = np.array([readings.position.min(), readings.position.max()])
     at_ends = [float(GTC.uncertainty(line[0] + line[1] * end)) for end in away]
@@ -193,7 +193,7 @@ def _result(
         at_most(say("drift during the calibration"), 0.5 * abs(parts.drift), "A"),
         at_most("resolution", 0.5 * settings.resolution_volts / abs(slope)),
         Contribution("backlash", abs(hysteresis or 0.0) / 2.0, math.inf, "A", "two-point"),
-        at_most(say("cylindrical target, change of sensitivity"), bending),
+        at_most(say("cylindrical target, change of sensitivity"), curvature),
         at_most(say("motion across the axis"), _off_axis(settings)),
         at_most(say("direction of the probe"), settings.direction * settings.off_axis),
     )
@@ -221,8 +221,8 @@ def _cylinder(readings: ProbeReadings, settings: ProbeSettings) -> tuple[float, 
     middle = settings.gap_at_zero + float(np.mean(readings.position))
     gain = float(sensitivity_gain(middle, sensor, target))
     straight = apparent_gap(middle, sensor, target) + gain * (gap - middle)
-    bending = np.abs(apparent_gap(gap, sensor, target) - straight).max() / gain
-    return gain, float(bending)
+    curvature = np.abs(apparent_gap(gap, sensor, target) - straight).max() / gain
+    return gain, float(curvature)
 
 
 def _off_axis(settings: ProbeSettings) -> float:

@@ -85,7 +85,9 @@ SPEEDS = {
 def running_parts(content: Content) -> Parts:
     """Return statements, tables and figures of a record; every revolution's force over speed."""
     result, speeds = content["result"], content["result"]["speeds"]
-    judged = ({**speed, "verdict": "agrees" if speed["agrees"] else "differs"} for speed in speeds)
+    evaluated = (
+        {**speed, "verdict": "agrees" if speed["agrees"] else "differs"} for speed in speeds
+    )
     known, moment, expanded = (
         1e3 * result[f"{what}_kg_m"]
         for what in (
@@ -102,7 +104,7 @@ def running_parts(content: Content) -> Parts:
     return Parts(
         (METHOD, str(result["sentence"]), FACTOR),
         [
-            table("Change of the mean force against the slowest speed", SPEEDS, judged),
+            table("Change of the mean force against the slowest speed", SPEEDS, evaluated),
             Table("Mass times radius outboard of the gauges", rows),
         ],
         [plot(title, "speed (rpm)", taken[:, 0], taken[:, 1:], "mean force (N)", names)],

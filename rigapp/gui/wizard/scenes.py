@@ -16,7 +16,7 @@ from rigapp.gui.look.fonts import sized
 from rigapp.gui.widgets.build import named
 from rigapp.presentation.tokens import BODY_PT, STEP, VALUE_PT, Theme
 from rigapp.presentation.translation import Text, tr
-from rigapp_calibration.load_cell.weights import told_pieces
+from rigapp_calibration.load_cell.weights import piece_texts
 
 LEAST = QSize(30 * STEP, 24 * STEP)
 """Minimum size; below it the texts on the weights overlap."""
@@ -50,9 +50,9 @@ def stack_of(pieces: Sequence[float], before: Sequence[float] = ()) -> list[Piec
     """Return the weights (kg), heaviest first: unchanged, added now, removed now."""
     now, was = Counter(pieces), Counter(before)
     return [
-        *(Piece(words) for words in told_pieces((now & was).elements())),
-        *(Piece(f"+ {words}", added=True) for words in told_pieces((now - was).elements())),
-        *(Piece(f"\u2212 {words}", removed=True) for words in told_pieces((was - now).elements())),
+        *(Piece(words) for words in piece_texts((now & was).elements())),
+        *(Piece(f"+ {words}", added=True) for words in piece_texts((now - was).elements())),
+        *(Piece(f"\u2212 {words}", removed=True) for words in piece_texts((was - now).elements())),
     ]
 
 
