@@ -21,7 +21,7 @@ RESULTS = ROOT / "results"
 
 
 def has_display() -> bool:
-    """Tell whether a window can be shown here."""
+    """Return whether a window can be shown here."""
     if sys.platform in ("win32", "darwin"):
         return True
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

@@ -34,7 +34,7 @@ Faults = Iterable[Fault | Mapping[str, Any]]
 
 
 class FaultPlan:
-    """Hold the time of the wire and the active faults, and count down the link faults.
+    """The time of the wire and the active faults, and count down the link faults.
 
     Raises ValueError for an unknown kind and TypeError for an unknown key.
     """

@@ -33,7 +33,7 @@ System = Callable[[Array, Array], tuple[Array, Array, Array]]
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """Hold the solved cycle, one row an angle: q, its rates, multipliers, and forces read off.
+    """The solved cycle, one row an angle: q, its rates, multipliers, and forces read off.
 
     ``force`` (2, n) is F on the follower by the pin, ``wrist_force`` (2, n) on the slider by the
     follower, ``guide_force`` (n) on the slider by its guide, ``drive_torque`` (n) on the crank.

@@ -25,7 +25,7 @@ LARGEST_TOLERANCE = 0.1  # of a step or penetration: with more, impacts are miss
 
 @dataclass(frozen=True, slots=True)
 class ContactModel:
-    """Hold the settings of the contact force; all but the first two are numerical choices.
+    """The settings of the contact force; all but the first two are numerical choices.
 
     law: one of ``CONTACT_LAWS``. restitution: normal speed after an impact over that before.
     friction_ramp: sliding speeds (m/s) at which Coulomb friction begins to act and acts in full.
@@ -85,7 +85,7 @@ class ContactModel:
 
 @dataclass(frozen=True, slots=True)
 class WornSurface:
-    """Hold the wear depth (m) over the angle (rad) of the bushing's inner surface.
+    """The wear depth (m) over the angle (rad) of the bushing's inner surface.
 
     angle: from the initial contact point (towards the crank), counter-clockwise in the follower
     frame, increasing, within one turn; depth: shape like angle. The profile is closed to a period.

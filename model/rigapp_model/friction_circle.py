@@ -31,7 +31,7 @@ More is no noise, but a slow part whose size cannot be determined from a revolut
 
 @dataclass(frozen=True, slots=True)
 class CellDoubt:
-    """Hold the standard uncertainty of a component of the measured force: constant + relative |F|.
+    """The standard uncertainty of a component of the measured force: constant + relative |F|.
 
     constant: N, of the zero in the load cell's own frame; relative: of every element of its matrix,
     which contains its direction on the crank. Both stay the same over a revolution.
@@ -47,7 +47,7 @@ class CellDoubt:
 
 @dataclass(frozen=True, slots=True)
 class Friction:
-    """Hold a friction coefficient and its expanded uncertainty (k = 2); NaN when not known."""
+    """A friction coefficient and its expanded uncertainty (k = 2); NaN when not known."""
 
     coefficient: float = float("nan")
     uncertainty: float = float("nan")

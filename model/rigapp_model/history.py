@@ -154,7 +154,7 @@ Below it the 12th harmonic is out of step by 0.2 rad at the ends of one revoluti
 
 @dataclass(frozen=True, slots=True)
 class AngleHistory:
-    """Hold a smooth history: angle (rad), speed (rad/s), acceleration (rad/s^2) at each time.
+    """A smooth history: angle (rad), speed (rad/s), acceleration (rad/s^2) at each time.
 
     ``noise`` is the standard deviation of one measured angle about the fit (rad), as estimated
     from the residuals; for an encoder of n counts a turn expect 2 pi / n / sqrt(12).

@@ -48,7 +48,7 @@ REACH = 3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MotionUncertainty:
-    """Hold standard uncertainties at each time: angle (rad), speed (rad/s), acceleration (rad/s^2).
+    """Standard uncertainties at each time: angle (rad), speed (rad/s), acceleration (rad/s^2).
 
     unfollowed: the largest acceleration (rad/s^2) that the angle shows beyond the fit; 0 when none
     exceeds the noise. recurrent: recurrent motion, with this revolution. history: the motion that

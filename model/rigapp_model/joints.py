@@ -23,7 +23,7 @@ HALF_STEP = 0.51  # of the angles' spacing: a cycle that ends within it before i
 
 @dataclass(frozen=True, slots=True)
 class ContinuousContact:
-    """Hold technique 2's answer for a cycle and whether its assumption holds.
+    """Technique 2's answer for a cycle and whether its assumption holds.
 
     ``wall`` is +1 where the pin bears on the wall towards the crank (follower in tension), -1 where
     on the other. ``compression`` lists the crank angle ranges (rad, start to end, the end may

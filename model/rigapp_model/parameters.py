@@ -11,7 +11,7 @@ from rigapp_model.restitution import DEFAULT_LAW, check_law
 
 @dataclass(frozen=True, slots=True)
 class Spring:
-    """Hold the spring on the slider: force along +x = -stiffness (position - free_position).
+    """The spring on the slider: force along +x = -stiffness (position - free_position).
 
     The paper does not say where the spring is anchored. A free position beyond the slider's
     travel (anchor outboard) keeps the follower in tension; that is the assumed arrangement.
@@ -27,7 +27,7 @@ class Spring:
 
 @dataclass(frozen=True, slots=True)
 class Mechanism:
-    """Hold lengths (m), masses (kg) and inertias about the centres of mass (kg m^2).
+    """Lengths (m), masses (kg) and inertias about the centres of mass (kg m^2).
 
     Crank and follower lengths are full lengths, joint to joint, with the centre of mass half-way
     (the paper's l1 and l2 are half of them). ``gravity`` is the acceleration of free fall as
@@ -75,7 +75,7 @@ class Mechanism:
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """Hold the joint of interest: pin and bushing radii and width (m), Coulomb friction.
+    """The joint of interest: pin and bushing radii and width (m), Coulomb friction.
 
     ``restitution`` and ``contact_law`` are those of pin and bushing as separate bodies; the laws
     are in ``rigapp_model.contact_law``.
@@ -122,7 +122,7 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """Hold a linear elastic material: Young's modulus (Pa) and Poisson's ratio."""
+    """A linear elastic material: Young's modulus (Pa) and Poisson's ratio."""
 
     youngs_modulus: float
     poissons_ratio: float
@@ -173,7 +173,7 @@ ARCHARD = WearLaw()
 
 @dataclass(frozen=True, slots=True)
 class Bushing:
-    """Hold the bushing's material, density (kg/m^3), wear coefficient (m^2/N) and wear law.
+    """The bushing's material, density (kg/m^3), wear coefficient (m^2/N) and wear law.
 
     1 mm^3/(N m) = 1e-9 m^2/N.
     """
@@ -190,7 +190,7 @@ class Bushing:
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
-    """Hold all that a computation needs: mechanism, joint, bushing, and the pin's material."""
+    """All that a computation needs: mechanism, joint, bushing, and the pin's material."""
 
     mechanism: Mechanism
     joint: Joint

@@ -60,7 +60,7 @@ class KnownMotion:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RecurrentMotion:
-    """Hold mean and scatter (variance) of the angle's harmonics (HIGHEST_ORDER,), rad, rad^2.
+    """Mean and scatter (variance) of the angle's harmonics (HIGHEST_ORDER,), rad, rad^2.
 
     chance: mean variance of one harmonic by the counts or the noise of the angle, rad^2.
     """

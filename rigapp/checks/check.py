@@ -32,7 +32,7 @@ class Check:
 
     @property
     def blocks(self) -> bool:
-        """Tell whether it forbids a start."""
+        """Return whether it forbids a start."""
         return self.verdict is BLOCKS
 
     def tree(self) -> dict[str, str]:
@@ -46,7 +46,7 @@ class Check:
 
 
 def blocked(checks: Iterable[Check]) -> bool:
-    """Tell whether any check forbids a start."""
+    """Return whether any check forbids a start."""
     return any(check.blocks for check in checks)
 
 

@@ -127,7 +127,7 @@ def _of_rules(test: TestFile) -> Iterator[Check]:
 
 
 def disk_checks(disk: DiskFacts | None) -> Iterator[Check]:
-    """Judge the room for the file; none where nobody looked yet."""
+    """Check the disk space for the file; no result before it was measured."""
     if disk is None:
         return
     if disk.problem:
@@ -152,7 +152,7 @@ def disk_checks(disk: DiskFacts | None) -> Iterator[Check]:
 
 
 def record_checks(records: RigRecords) -> Iterator[Check]:
-    """Judge the calibration of each part: by a record, or by the rig file alone."""
+    """Check the calibration of each part: by a record, or by the rig file alone."""
     for name, why in records.blocking.items():
         yield Check(say("Calibration of {}", _words(name)), BLOCKS, why, record_advice(name))
     for name, text in records.remarks.items():
@@ -225,7 +225,7 @@ def _of_device(device: DeviceView) -> Check:
 
 
 def drive_checks(status: Status) -> Iterator[Check]:
-    """Judge emergency stop, faults and warnings of the drive; none where it is not known."""
+    """Check emergency stop, faults and warnings of the drive; no result while unknown."""
     drive = status.rig.drive
     if drive is None:
         return

@@ -407,7 +407,7 @@ class Core:
             self.publisher.notice(Committed(rows))
 
     def restore_file(self) -> None:
-        """Give the file of the test its name back when it was deleted, moved or replaced."""
+        """Restore the name of the test's file when it was deleted, moved or replaced."""
         with self._filing() as test:
             if test is None:
                 return

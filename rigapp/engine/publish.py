@@ -165,7 +165,7 @@ class Publisher:
             self._streams = tuple(s for s in self._streams if s is not stream)
 
     def restart(self, first_row: int) -> None:
-        """Tell every viewer that another file begins."""
+        """Notify every viewer of the next file."""
         self.next_row = first_row
         for subscription in self._subscriptions:
             subscription.restart(first_row)

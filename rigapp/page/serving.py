@@ -40,7 +40,7 @@ MOST_SLOTS = 200
 
 
 class Hub:
-    """Hold the newest frames; used from the server's event loop alone."""
+    """The newest frames; used from the server's event loop alone."""
 
     def __init__(self) -> None:
         self._slots: dict[str, tuple[int, bytes]] = {}

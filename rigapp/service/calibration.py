@@ -45,7 +45,7 @@ class HeldCalibration(msgspec.Struct, frozen=True):
 
 
 class RigCalibration:
-    """Hold the one open calibration of a rig; every method may be called from any thread."""
+    """The one open calibration of a rig; every method may be called from any thread."""
 
     def __init__(self, rig: Path | None, log_line: Log) -> None:
         """Continue a stored calibration of a rig file; None: a rig that ends with its engine."""

@@ -243,7 +243,7 @@ def arc_nodes(sectors: int, directions: ArrayLike, half_angle: float) -> NDArray
 
 @dataclass(frozen=True, slots=True)
 class PressureDistribution:
-    """Hold the pressure (Pa) over the angle (rad) from -pi, on all surface nodes.
+    """The pressure (Pa) over the angle (rad) from -pi, on all surface nodes.
 
     ``pin``: the pin centre from the bushing's, (2,), m; ``half_angle``: of the contact, rad;
     ``contact``: the solution on the nodes ``nodes``.

@@ -33,7 +33,7 @@ _TURN = np.array([0, 0, 2, 2, 0, 1, 2, 1])
 
 @dataclass(frozen=True, slots=True)
 class SectorMesh:
-    """Hold the mesh of the ring: equal sectors of graded layers of 8-node quadrilaterals.
+    """The mesh of the ring: equal sectors of graded layers of 8-node quadrilaterals.
 
     ``sectors``: how many go round, two surface nodes each; ``layers``: elements from the inner
     surface to the rim; ``grading``: thickness of the outermost layer over the innermost.

@@ -69,7 +69,7 @@ class BatchMeans:
 
 @dataclass(frozen=True, slots=True)
 class Ensemble:
-    """Hold means over ``revolutions`` and one of them as a sample.
+    """Means over ``revolutions`` and one of them as a sample.
 
     At each crank angle of the sample, shapes as in its motion: ``force``, ``force_crank``,
     ``force_follower`` (2, n), ``force_magnitude`` (n,), N; ``drive_torque`` (n,), N m;

@@ -48,7 +48,7 @@ FIRST_CONTACT_PART = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Impacts:
-    """Hold every beginning of a contact: time (s), crank angle (rad), normal speed (m/s).
+    """Every beginning of a contact: time (s), crank angle (rad), normal speed (m/s).
 
     ``peak`` (N) is the greatest force of the contact that began, found between the samples too; of
     one that has not ended, up to the last sample.

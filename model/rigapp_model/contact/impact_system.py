@@ -24,7 +24,7 @@ NODES = 360  # of the worn surface: one a degree
 
 @dataclass(frozen=True, slots=True)
 class ContactState:
-    """Hold a state of the mechanism: slider (m, m/s), follower (rad, rad/s), and the contact.
+    """A state of the mechanism: slider (m, m/s), follower (rad, rad/s), and the contact.
 
     ``impact_speed`` is the normal speed (m/s) at which the present contact began.
     """
@@ -43,7 +43,7 @@ class ContactState:
 
 @dataclass(frozen=True, slots=True)
 class ClearanceSystem:
-    """Hold the slider-crank with one clearance joint, turning at a constant speed (rad/s).
+    """The slider-crank with one clearance joint, turning at a constant speed (rad/s).
 
     location "crank": between crank pin and follower (the joint of interest); "wrist": between
     follower and slider. The follower carries the bushing in both. ``vector``, ``table`` and

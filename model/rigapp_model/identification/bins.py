@@ -27,7 +27,7 @@ GROUP = 8
 
 @dataclass(frozen=True, slots=True)
 class Bin:
-    """Hold a closed bin.
+    """A closed bin.
 
     revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
     and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups

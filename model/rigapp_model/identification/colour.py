@@ -44,7 +44,7 @@ TWO_THIRDS = 2.0 / 3.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ScatterWithin:
-    """Hold the spread of groups of readings in n bins that have three groups at least.
+    """The spread of groups of readings in n bins that have three groups at least.
 
     groups (n,): of each; squares (n,): about their line, m^2 a group; wide (n,): revolutions of
     each; step: variance of a group by steps, m^2, with ``freedom`` degrees; known: whether
@@ -73,7 +73,7 @@ def spread_of(bins: Sequence[Bin], errors: ProbeErrors) -> ScatterWithin:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Colours:
-    """Hold C kinds of noise, (C,) each.
+    """C kinds of noise, (C,) each.
 
     scatter: of a reading's white part, m; size, m, and length, revolutions: of the correlated part;
     log_weight (C, P): by the spread within bins, beside swings of P periods.

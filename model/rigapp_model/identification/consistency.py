@@ -203,7 +203,7 @@ class Consistency:
         return self.judge(closed, life)
 
     def judge(self, closed: Bin, life: DepthLife) -> Departure | None:
-        """Judge a fine bin; return the departure that it shows, None without one."""
+        """Evaluate a fine bin; return the departure that it shows, None without one."""
         if self.mean is None or self.covariance is None:
             return None
         sensitivity, reference, drift, scatter, size, length, period = self.scales

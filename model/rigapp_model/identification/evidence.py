@@ -22,7 +22,7 @@ LN_TWO_PI = float(np.log(2.0 * np.pi))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fitted:
-    """Hold normal parameters of H hypotheses given the bins, for J kinds of noise.
+    """Normal parameters of H hypotheses given the bins, for J kinds of noise.
 
     log_evidence (J, H): with all of them integrated out; step (J, H, k): their mean less where
     they were linearised; covariance (J, H, k, k); left (J, H, S): what ``Noise.onward`` makes of
@@ -38,7 +38,7 @@ class Fitted:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Linearised:
-    """Hold H hypotheses where they are linearised in k parameters, whose prior is normal.
+    """H hypotheses where they are linearised in k parameters, whose prior is normal.
 
     misfit (H, n): depth less the predicted one, m; columns (H, k, n): slopes; off (H, k): the
     prior's mean less that point; precision (k, k): the prior's.

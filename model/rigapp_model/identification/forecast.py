@@ -52,7 +52,7 @@ class Remaining:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Band:
-    """Hold median and 95 % limits of the depth (n,), m, at revolutions (n,).
+    """Median and 95 % limits of the depth (n,), m, at revolutions (n,).
 
     NaN where it is beyond what the model computes.
     """
@@ -367,7 +367,7 @@ def _errors(estimates: Sequence[Estimate]) -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _ByScatter:
-    """Hold for each tau (t,): likelihood, mean and variance of mu, those of specimens (t, n)."""
+    """For each tau (t,): likelihood, mean and variance of mu, those of specimens (t, n)."""
 
     log_likelihood: Array
     centre: Array

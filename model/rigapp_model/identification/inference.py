@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Credible:
-    """Hold the median of a quantity with its 95 % credible limits."""
+    """The median of a quantity with its 95 % credible limits."""
 
     median: float
     low: float
@@ -38,7 +38,7 @@ class Credible:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Verdict:
-    """Hold the result of one statement.
+    """The result of one statement.
 
     weight: its probability among all; log_evidence; coefficient: now, m^2/N; before: the first,
     after: the last, and transition: progress at which it changed or within which it ran in, nominal

@@ -32,7 +32,7 @@ FIRST_CYCLES = 2.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Course:
-    """Hold depth (m,), m, against progress (m,), nominal cycles; both rise."""
+    """Depth (m,), m, against progress (m,), nominal cycles; both rise."""
 
     progress: Array
     depth: Array

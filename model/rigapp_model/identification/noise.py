@@ -31,7 +31,7 @@ LEAST_BINS = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DepthBins:
-    """Hold the bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
+    """The bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
 
     begin: revolutions before the bin; middle: revolution in the middle of it; walked, alone (n,):
     mean of ln n over it, and that of the smaller of two ln n; noise: standard uncertainty of each
@@ -128,7 +128,7 @@ def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Kinds:
-    """Hold J kinds of noise, (J,) each.
+    """J kinds of noise, (J,) each.
 
     strength: of the drift, m per root of ln n; creeps: 1 with creep, else 0; scatter, size, length:
     see ``Colours``; period: of a slow swing, revolutions, 0 for none; jump (J, 2): first and last

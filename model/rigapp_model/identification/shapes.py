@@ -41,7 +41,7 @@ NO_STEPS = np.zeros((0, 2))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Moments:
-    """Hold bins (n,): revolutions before and at the end, and temperature beside the first one, K.
+    """Bins (n,): revolutions before and at the end, and temperature beside the first one, K.
 
     A bin without length is a moment. Without a temperature channel it is 0 everywhere.
     """

@@ -92,7 +92,7 @@ likely by each statement cannot exclude the others."""
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hypotheses:
-    """Hold H hypotheses of one statement, (H,): ln(K/K0), ln r, the transition (nominal cycles)."""
+    """H hypotheses of one statement, (H,): ln(K/K0), ln r, the transition (nominal cycles)."""
 
     statement: Statement
     log_coefficient: Array

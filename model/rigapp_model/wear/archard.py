@@ -31,7 +31,7 @@ def largest_explicit_step(
 
 @dataclass(frozen=True, slots=True)
 class RigidWear:
-    """Hold the wear by a pin that does not indent: cycles, depth (m), worn area (m^2)."""
+    """The wear by a pin that does not indent: cycles, depth (m), worn area (m^2)."""
 
     cycles: Array
     depth: Array
@@ -71,7 +71,7 @@ def rigid_wear(
 
 @dataclass(frozen=True, slots=True)
 class RigidCourse:
-    """Hold how a rigid pin wears in: depth (m), worn area (m^2), and effort K s F N (m^2).
+    """How a rigid pin wears in: depth (m), worn area (m^2), and effort K s F N (m^2).
 
     Whatever the parts of the effort are (wear coefficient, slip, force per width, cycles), their
     product decides.

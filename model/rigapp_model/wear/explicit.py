@@ -39,7 +39,7 @@ class UnstableStep(ModelError):
 
 @dataclass(frozen=True, slots=True)
 class Extrapolation:
-    """Hold the most cycles of an explicit step, and the most that would be stable on the mesh."""
+    """The most cycles of an explicit step, and the most that would be stable on the mesh."""
 
     step: float
     limit: float

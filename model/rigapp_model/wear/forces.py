@@ -28,7 +28,7 @@ DENSE = 1440
 
 
 class ForceSource(Protocol):
-    """Give the loads of a revolution for a worn surface."""
+    """Loads of a revolution for a worn surface."""
 
     @property
     def single(self) -> bool:
@@ -61,7 +61,7 @@ def constant_source(
 
 
 class ConstantForce:
-    """Give one constant force along the follower."""
+    """One constant force along the follower."""
 
     def __init__(self, force: float, joint: Joint, speed: float, law: WearLaw) -> None:
         load = constant_load(force, joint.pin_radius)
@@ -96,7 +96,7 @@ class ConstantForce:
 
 
 class Constrained:
-    """Give the forces of a joint by constraints: techniques 1 and 2.
+    """Forces of a joint by constraints: techniques 1 and 2.
 
     ``clearance``: that of the new joint in the kinematics, m; 0 is the perfect joint. With
     ``follows_wear`` it grows by the wear depth at the contact point (paper, section 4.2).

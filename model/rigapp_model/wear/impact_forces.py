@@ -38,7 +38,7 @@ REFRESH = 0.1
 
 
 class SeparateBodies:
-    """Give the forces of a pin that is held by contact alone, on the worn profile.
+    """Forces of a pin that is held by contact alone, on the worn profile.
 
     The integration of a revolution takes longer than the wear, so its forces are kept until the
     wear at the contact point has grown by a tenth of the clearance; ``coupling_error`` bounds the
@@ -165,7 +165,7 @@ class SeparateBodies:
 
 @dataclass(frozen=True, slots=True)
 class _Stage:
-    """Hold the loads on one worn surface, by parts of the revolutions, and when they were new."""
+    """The loads on one worn surface, by parts of the revolutions, and when they were new."""
 
     loads: CycleLoads
     parts: tuple[CycleLoads, ...]

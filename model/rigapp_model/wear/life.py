@@ -45,7 +45,7 @@ _SAFETY = 1.25  # each part is an estimate from two runs: a quarter more makes i
 
 @dataclass(frozen=True, slots=True)
 class Life:
-    """Hold the life of a bushing in SI; one entry of each column a row, the last is the end.
+    """The life of a bushing in SI; one entry of each column a row, the last is the end.
 
     Columns: ``cycles``; ``max_depth`` (m); ``worn_area`` (m^2); ``worn_mass`` (kg);
     ``peak_pressure`` (Pa); ``mean_force`` (N, over the slip); ``peak_force`` (N);

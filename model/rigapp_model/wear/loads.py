@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class CycleLoads:
-    """Hold the forces of one revolution in the wear frame, and the slip that each acts over.
+    """The forces of one revolution in the wear frame, and the slip that each acts over.
 
     ``force`` (M, 2), N: pressing force on the bushing by the pin; x points from the bushing's
     centre to the initial contact point, which is towards the crank, y is 90 degrees further

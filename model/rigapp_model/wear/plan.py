@@ -42,7 +42,7 @@ SAMPLING_COVERAGE = 3.0
 
 @dataclass(frozen=True, slots=True)
 class RelativeError:
-    """Hold an error as a part of a depth or of an area over a life of ``cycles``.
+    """An error as a part of a depth or of an area over a life of ``cycles``.
 
     ``early``, ``late``: after a hundredth and at the end of the life.
     """

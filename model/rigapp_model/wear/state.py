@@ -34,7 +34,7 @@ LARGEST_SECTORS = 360  # twice as many do not change the depth of the reference 
 
 @dataclass(frozen=True, slots=True)
 class WearState:
-    """Hold the wear of a bushing after some cycles, in SI; ``advance`` returns a new one.
+    """The wear of a bushing after some cycles, in SI; ``advance`` returns a new one.
 
     ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the contact point: the growth of the
     clearance; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and

@@ -411,7 +411,7 @@ class SpindleControl:
 
     @contextmanager
     def _one_command(self) -> Iterator[None]:
-        """Give the drive one command at a time, and repeat a power-off that came meanwhile.
+        """Send the drive one command at a time, and repeat a power-off requested meanwhile.
 
         It is not known which of the two the drive executed last.
         """

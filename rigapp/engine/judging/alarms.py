@@ -63,7 +63,7 @@ class _Entry:
 
 
 class AlarmBook:
-    """Keep the alarm list; any thread may call it.
+    """Alarm list; any thread may call it.
 
     clock: UTC seconds. on_change: called outside the lock, in the caller's thread. elapsed: seconds
     that no change of the computer's clock shortens or lengthens, for shelving.

@@ -112,7 +112,7 @@ class _Watched:
         self.left_percent = math.nan
 
     def look(self, number: int, at: At) -> CriterionMet | None:
-        """Judge a revolution's value; an unknown one neither fulfils nor interrupts."""
+        """Evaluate a revolution's value; an unknown one neither fulfils nor interrupts."""
         criterion = self.criterion
         value: float | None = criterion.value(at)
         # One that is infinite far from the level is known: nothing wears, so nothing ends it.
@@ -140,7 +140,7 @@ class _Watched:
 
 
 class StopMonitor:
-    """Judge revolutions by ``[stop]``; rows and predictions each come from one thread."""
+    """Evaluate revolutions by ``[stop]``; rows and predictions each come from one thread."""
 
     def __init__(self, stop: StopSection) -> None:
         self._stop = stop
@@ -184,7 +184,7 @@ class StopMonitor:
                     rate.add(int(revolution), 1e3 * depth)
 
     def row(self, row: Array) -> CriterionMet | None:
-        """Judge a row in the order of ``ChannelTable.names``; return the criterion that it met."""
+        """Evaluate a row, ordered as ``ChannelTable.names``; return the criterion that it met."""
 
         def at(name: str) -> float:
             return float(row[BASE.place[name]])
@@ -206,7 +206,7 @@ class StopMonitor:
         return number not in self._not_evaluated and number > self._stop.hold_off_revolutions
 
     def prediction(self, number: int, values: Mapping[str, float]) -> CriterionMet | None:
-        """Judge the twin's answer: its columns by name, see ``prediction_columns``."""
+        """Evaluate the twin's answer: its columns by name, see ``prediction_columns``."""
         if not self.judges(number):
             return None
         return self._first(Sight.PREDICTION, number, values.__getitem__)

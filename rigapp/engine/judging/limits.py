@@ -139,7 +139,7 @@ def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
 
 
 class RuleMonitor:
-    """Judge every revolution by the rules; one thread calls it."""
+    """Evaluate every revolution by the rules; called by one thread."""
 
     def __init__(self, rules: Iterable[LimitRule], table: ChannelTable | None = None) -> None:
         self._table = table
@@ -147,7 +147,7 @@ class RuleMonitor:
         self.replace(rules)
 
     def replace(self, rules: Iterable[LimitRule]) -> None:
-        """Judge by other rules from the next revolution on; raise UnusableInput.
+        """Replace the rules from the next revolution on; raise UnusableInput.
 
         A level keeps its count of revolutions.
         """

@@ -169,7 +169,7 @@ class History:
         return self._bytes
 
     def trigger(self, critical: bool = False) -> bool:
-        """Keep the next revolution and those around it; False when the file has no space left."""
+        """Store the next revolution and its neighbours; False when the file has no space left."""
         if self._burst == 0:
             return False
         if self._due:

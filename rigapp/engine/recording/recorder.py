@@ -188,7 +188,7 @@ class Recorder:
         self._store.hold_cycle(number, self._samples(measured), waiting.why or "", quality)
 
     def trigger(self, critical: bool) -> None:
-        """Keep the next whole cycle and those around it."""
+        """Store the next complete cycle and its neighbours."""
         with self._lock:
             if not self._closed:
                 self._history.trigger(critical)
@@ -243,7 +243,7 @@ class Recorder:
         return self._store.path
 
     def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
-        """Give the file its name back when it was deleted, moved or replaced; may take long.
+        """Restore the file's name when it was deleted, moved or replaced; may take long.
 
         notice: called before that.
         """
@@ -311,7 +311,7 @@ class Recorder:
             self._store.append_curves(prediction.revolution, curves)
 
     def _keep_unfinished(self, revolution: Revolution) -> None:
-        """Keep a revolution that was cut off after the last row; one before the test is none."""
+        """Store a revolution that was cut off after the last row, not one before the test."""
         if self._start_sample is None or revolution.first_sample < self._start_sample:
             return
         number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)

@@ -42,14 +42,14 @@ from rigapp_drivers.api import SampleClock
 
 
 class Store(Protocol):
-    """Keep a test. ``append_*`` come from several threads and do not wait for the disk."""
+    """Storage of a test. ``append_*`` may be called by several threads; none waits for the disk."""
 
     @property
     def path(self) -> Path:
         """Return where the file is; another path when it had to be saved there."""
 
     def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
-        """Give the file its name back when it lost it; None when it has not.
+        """Restore the file's name when it was lost; None when it was not.
 
         It may take long; notice is called before.
         """
@@ -90,7 +90,7 @@ class Store(Protocol):
         """Append a worn profile; False when there is no room for it."""
 
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
-        """Keep what a new twin needs to go on after a revolution; the newest one counts."""
+        """Store the twin's checkpoint after a revolution; the newest one counts."""
 
     def append_event(self, event: Event) -> bool:
         """Append to the log; False when it is full."""

@@ -85,7 +85,7 @@ class Means:
 
 
 class RecentSignals:
-    """Keep the means of the last window; the processing thread adds, any thread reads.
+    """Means of the last window; the processing thread adds, any thread reads.
 
     A gap in the sample numbers clears it, so that what is read is always consecutive.
     """

@@ -51,7 +51,7 @@ class PulseRate:
 
 
 class EncoderClock:
-    """Give every sample of a stream its time; one thread calls it.
+    """Assign a time to every sample of a stream; called by one thread.
 
     nominal_Hz: the usual pulse rate. rate: None where the device does not record it. real_time: the
     host's clock can be relied on.

@@ -71,7 +71,7 @@ def reading_of(value: float, host_s: float, before: Reading | None) -> Reading:
 
 
 def keep(recent: dict[str, deque[Reading]], name: str, reading: Reading) -> None:
-    """Keep a reading among the last ones of its quantity; the oldest go."""
+    """Add a reading to the last ones of its quantity; the oldest are dropped."""
     recent.setdefault(name, deque(maxlen=MOST_READINGS)).append(reading)
 
 

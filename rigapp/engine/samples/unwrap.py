@@ -152,7 +152,7 @@ def _lock(phase: int, state: Counts) -> None:
 def _pass_index(
     phase: int, step: int, wrapped: bool, at_zero: bool, state: Counts, parameters: Counts
 ) -> None:
-    """Judge a count that was set to zero: the index, an index with lost counts, or none at all."""
+    """Classify a count that was set to zero: index, index with lost counts, or no index."""
     turn, tolerance = parameters[ParameterAt.COUNTS], parameters[ParameterAt.TOLERANCE]
     odd, expected, base = state[StateAt.ODD] != 0, state[StateAt.STEP], state[StateAt.BASE]
     target = state[StateAt.BEFORE] + expected

@@ -99,7 +99,7 @@ NUMBERS = {tab.name: number for number, tab in enumerate(TABS)}
 
 
 class Tabs(QTabWidget):
-    """Hold all pages; ``panels`` are the panels on them, by name.
+    """All pages; ``panels`` are the panels on them, by name.
 
     A page is made when it or a panel of it is needed, and the rest when the window is on the screen
     (``make_all``): the window then appears in less than half the time.

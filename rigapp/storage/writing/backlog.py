@@ -26,7 +26,7 @@ class _Run:
 
 
 class Backlog:
-    """Hold writes (bytes, offset) in order, bounded, between appending and committing.
+    """Writes (bytes, offset) in order, bounded, between appending and committing.
 
     Policy: up to SOFT_LIMIT bytes an append only copies into memory, so that a stalled disk delays
     no caller. Above it each append places ``share`` runs itself. Above HARD_LIMIT it places until

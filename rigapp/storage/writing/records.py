@@ -288,7 +288,7 @@ class PredictionWriter:
         return True
 
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
-        """Hold the twin's checkpoint; the next commit writes the newest one to the older slot."""
+        """Take the twin's checkpoint; the next commit writes the newest one to the older slot."""
         if "checkpoints" in self._streams and len(state) <= CHECKPOINT_BYTES:
             with self._lock:
                 self._checkpoint = (revolution, state)
