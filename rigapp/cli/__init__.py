@@ -1,6 +1,6 @@
 """The command line: thin verbs, each of which imports its modules only when it is called.
 
-Others enter by this door.
+Other packages import this one.
 """
 
 from rigapp.cli.program import main

@@ -4,5 +4,5 @@ Its packages, from the top down, each importing only those below it: ``window`` 
 controls, table of tabs), then side by side ``panels`` (contents of the tabs), ``testfile`` (prepare
 a test) and ``wizard`` (calibrate), then ``panel`` (interface of a panel), then ``plots`` and
 ``results`` (recorded tests), then ``widgets``, then ``look``, then ``language``. The data of engine
-and test come from ``rigapp.viewer``, without Qt. Others enter by ``window.app`` (open it).
+and test come from ``rigapp.viewer``, without Qt. Other packages import ``window.app`` (open it).
 """

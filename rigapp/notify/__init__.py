@@ -3,5 +3,5 @@
 The rules, the outbox and the wording are pure. A process of its own, the notifier, stores the
 outbox on the disk and starts a short one for each attempt, the only one to read the secrets.
 
-Others enter by ``channels``, ``delivery``, ``facts``, ``link``, ``message``, ``store``.
+Other packages import ``channels``, ``delivery``, ``facts``, ``link``, ``message``, ``store``.
 """

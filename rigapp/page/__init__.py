@@ -4,5 +4,5 @@
 ``metrics`` format it for browsers and Prometheus; ``watch`` does all that in a thread, ``access``
 holds the rules of access, ``serving`` is the server: it stores the newest frames for every page,
 bounds the resources of a connection, and answers requests.
-Others enter by ``serving``.
+Other packages import ``serving``.
 """

@@ -2,6 +2,6 @@
 
 It imports no Qt, and reads no file but the catalogues. Texts are English in the source;
 ``translation`` returns them in the language of the process.
-Others enter by ``catalogue``, ``numbers``, ``results``, ``states``, ``times``, ``tokens``,
+Other packages import ``catalogue``, ``numbers``, ``results``, ``states``, ``times``, ``tokens``,
 ``translation``.
 """

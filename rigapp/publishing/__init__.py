@@ -1,5 +1,5 @@
 """Publish recorded tests: content of the package, private data in it, description.
 
 One ZIP file with the unchanged tests and everything that others need to read, trust and cite
-them. Others enter by ``package``, ``private``.
+them. Other packages import ``package``, ``private``.
 """

@@ -1,4 +1,4 @@
 """Queue of tests of one rig: the list, its file, and the worker that runs it.
 
-Others enter by ``items``, ``store``, ``worker``.
+Other packages import ``items``, ``store``, ``worker``.
 """

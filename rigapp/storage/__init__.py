@@ -2,8 +2,8 @@
 
 ``structure`` defines the contents, ``filesystem`` the file on the disk; ``writing`` fills it
 while the test runs, ``reading`` reads it at any time, ``upkeep`` resumes, compresses and repairs
-existing files. Others enter by this door; the package depends only on the schema and the errors of
-the configuration.
+existing files. Other packages import this one, which depends only on the schema and the errors
+of the configuration.
 """
 
 from __future__ import annotations

@@ -3,5 +3,5 @@
 ``design`` is the study file with its points, ``kinds`` the computations of a point; ``points``
 is the work of a worker, ``journal`` stores its rows, ``running`` distributes the points. ``table``
 and ``sensitivity`` evaluate the results, ``folder`` reads them back.
-Others enter by ``running``, ``folder``.
+Other packages import ``running``, ``folder``.
 """

@@ -3,7 +3,7 @@
 A ``Sentence`` is its English text, so files, logs and terminals use it as any string. Another
 language takes the translation of its template from a catalogue and fills in the values
 (``rigapp.presentation.translation``). Errors of drivers, model and calibration are sentences, too:
-this module imports nothing of rigapp. Others enter by this door.
+this module imports nothing of rigapp. Other packages import this one.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Whoever uses a room of the program enters by the doors that the room names.
 
-Each room says them in its ``__init__``: "Others enter by ``one``, ``two``." or "Others enter by
-this door." Imports for type checkers and inside functions count.
+Each room names them in its ``__init__``: "Other packages import ``one``, ``two``." or "Other
+packages import this one." Imports for type checkers and inside functions count.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import re
 import pytest
 from house.imports import MODULES, module_graph
 
-THIS_DOOR = "Others enter by this door"
+THIS_DOOR = "Other packages import this one"
 OPEN = {
     "rigapp.schema": "records and tables for everybody: each module is one of them",
     "rigapp.config": "records of files for everybody: each module is one kind of file",
@@ -44,7 +44,9 @@ def doors(room: str) -> set[str]:
     words = ast.get_docstring(ast.parse(MODULES[room].read_text("utf-8"))) or ""
     if THIS_DOOR in words:
         return {""}
-    found = re.search(r"[Oo]thers enter by ([^.]*(?:\.[a-z][^.]*)*)\.(?:\s|$)", words)
+    found = re.search(
+        r"Other packages import\s+(?:only\s+)?([^.]*(?:\.[a-z][^.]*)*)\.(?:\s|$)", words
+    )
     return set(re.findall(r"``([\w.]+)``", found[1])) if found else set()
 
 

@@ -17,7 +17,7 @@ from storage_samples import ended
 import rigapp
 from rigapp.config.errors import UnusableInput
 from rigapp.storage import compact_test, open_for_reading, open_test, reopen_test
-from rigapp.storage.structure.hdf import MOST_OBJECTS
+from rigapp.storage.structure.hdf import MAX_OBJECTS
 from rigapp.storage.structure.layout import PLAN
 
 SECRET = b"-----BEGIN PRIVATE KEY----- 31415926535897932384626433832795"
@@ -101,7 +101,7 @@ def twice(file: h5py.File, secret: Path) -> None:
 
 def crowd(file: h5py.File, secret: Path) -> None:
     group = file.create_group("/entry/crowd")
-    for number in range(MOST_OBJECTS + 1):
+    for number in range(MAX_OBJECTS + 1):
         group.create_group(str(number))
 
 
