@@ -1,7 +1,7 @@
 """The model as a library: mechanism, forces, contact, wear, identification, in SI units.
 
-These names are stable; the contents of ``rigapp_model`` may change from version to version.
-``docs/model.md`` says what is computed, ``docs/model-wear.md`` what is known of the wear.
+The names exported here are stable; the modules of ``model`` may change with any version.
+``docs/model.md`` describes the computation, ``docs/model-wear.md`` the wear.
 """
 
 from __future__ import annotations

@@ -1,13 +1,13 @@
 """Compile kernels with a cache on disk that is never stale.
 
-numba keeps compiled code beside the module and uses it again as long as the file of the function
-is unchanged. The functions it calls and the constants it names are compiled into it as well, and
-may be in other files. Here the compiled code is used again only while everything that went into
-it is the same: the bytecode, constants and options of the kernel and of all kernels that it calls,
-directly or through others, and the versions of the compiler.
+numba stores compiled code beside the module and reuses it while the file of the function is
+unchanged. But the functions that it calls and the constants that it names, perhaps from other
+files, are compiled into it as well. Here the code is reused only while everything it was compiled
+from is unchanged: the bytecode, constants and options of the kernel and of all kernels that it
+calls, directly or indirectly, and the versions of the compiler.
 
-By numba's own rules the cache is in ``NUMBA_CACHE_DIR``, else beside the module, else, where that
-cannot be written, in the user's cache folder.
+As in numba itself, the cache is in ``NUMBA_CACHE_DIR``, else beside the module, else, if that is
+not writable, in the user's cache folder.
 """
 
 # mypy: disable-error-code="misc"
@@ -28,7 +28,7 @@ from numba.core.dispatcher import Dispatcher
 
 VERSIONS = (numba.__version__, np.__version__)
 FOREIGN = frozenset({"numpy", "numba", "scipy", *sys.stdlib_module_names})
-"""Packages whose content follows from their version."""
+"""Packages that their version identifies completely."""
 
 PLAIN = (int, float, complex, str, bytes, type(None), np.generic, np.dtype, numba.types.Type)
 """Kinds of constants with a complete repr."""
@@ -36,24 +36,24 @@ PLAIN = (int, float, complex, str, bytes, type(None), np.generic, np.dtype, numb
 _DIGEST = "kernel_digest"
 
 UNCOUNTED = {"cache": True, "_nrt": False}
-"""Options of a kernel that makes no array: it counts no references to its arguments.
+"""Options of a kernel that creates no array: without reference counts of its arguments.
 
-Each count is a locked instruction; a small kernel called once a sample or stage takes up to half as
-long again with them.
+Each count is a locked instruction; a small kernel called once a sample or stage takes up to 1.5
+times as long with them.
 """
 
 
 def njit(signatures: Any, **options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Return a decorator that compiles a function at once; options are those of numba.njit.
+    """Return a decorator that compiles a function immediately; options are those of numba.njit.
 
-    With ``cache=True`` the compiled code is kept as this module says. Raises TypeError when the
-    function names a value that cannot be compared with that of another run.
+    With ``cache=True`` the compiled code is cached as described above. Raises TypeError if the
+    function uses a value that cannot be compared with that of another run.
     """
 
     def compile_kernel(function: Any) -> Any:
         setattr(function, _DIGEST, digest(function, options))
-        kept = options.get("cache", False) and _use_keyed_locators()
-        return numba.njit(signatures, **{**options, "cache": kept})(function)
+        cached = options.get("cache", False) and _use_keyed_locators()
+        return numba.njit(signatures, **{**options, "cache": cached})(function)
 
     return compile_kernel
 
@@ -67,12 +67,12 @@ def digest(function: FunctionType, options: Mapping[str, Any]) -> str:
 
 
 def cache_name(function: FunctionType) -> str:
-    """Return the prefix of a kernel's files in the cache, after that of its module."""
+    """Return the prefix of a kernel's cache files, without that of its module."""
     return f"{function.__qualname__.replace('<', '').replace('>', '')}-{_disambiguator(function)}."
 
 
 def _disambiguator(function: Any) -> str:
-    """Return a text that distinguishes kernels made repeatedly by one line of source."""
+    """Return a text that distinguishes kernels created by the same line of source."""
     return getattr(function, _DIGEST)[:12] if "<" in function.__qualname__ else ""
 
 
@@ -85,7 +85,7 @@ def _function(
     if function in seen:
         return
     seen.add(function)
-    yield function.__module__  # what numba keeps imports its own module again by this name
+    yield function.__module__  # numba's cached code imports its module by this name
     yield repr(sorted(options.items()))
     for value in function.__defaults__ or ():
         yield from _value(value, function.__qualname__, seen)
@@ -95,7 +95,7 @@ def _function(
 
 
 def _code(code: CodeType, names: dict[str, Any], seen: set[FunctionType]) -> Iterator[str]:
-    """Yield the bytecode, and the values of the names that it looks up in its module."""
+    """Yield the bytecode and the values of the module's names that it uses."""
     yield repr((code.co_code, code.co_names, code.co_varnames, code.co_freevars))
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
@@ -149,11 +149,11 @@ def _foreign(module: str | None) -> bool:
     return module is None or module.partition(".")[0] in FOREIGN
 
 
-# --- numba's cache, kept by the digest ------------------------------------------------------------
+# --- numba's cache, with the digest as its stamp --------------------------------------------------
 
 
 class _Keyed:
-    """Let one of numba's locators take kernels only, and their digest for the file's."""
+    """Mixin: restrict a locator of numba to kernels, with their digest in place of the file's."""
 
     def __init__(self, py_func: Any, py_file: str) -> None:
         super().__init__(py_func, py_file)  # type: ignore[call-arg]
@@ -173,23 +173,23 @@ class _Keyed:
 
 
 class KeyedInChosenFolder(_Keyed, caching.UserProvidedCacheLocator):
-    """In the folder that NUMBA_CACHE_DIR names."""
+    """Locate the cache in the folder NUMBA_CACHE_DIR."""
 
 
 class KeyedBesideModule(_Keyed, caching.InTreeCacheLocator):
-    """In the module's __pycache__."""
+    """Locate the cache in the module's __pycache__."""
 
 
 class KeyedForUser(_Keyed, caching.UserWideCacheLocator):
-    """In the user's cache folder."""
+    """Locate the cache in the user's cache folder."""
 
 
 def _use_keyed_locators() -> bool:
-    """Put the locators for kernels before numba's own, which serve all other functions.
+    """Insert the locators for kernels before numba's own, which remain for other functions.
 
-    Returns False where NUMBA_CACHE_LOCATOR_CLASSES allows no others: then nothing is cached.
+    Returns False if NUMBA_CACHE_LOCATOR_CLASSES excludes them: then nothing is cached.
     """
-    present = caching.CacheImpl._locator_classes
-    if KeyedInChosenFolder not in present:
-        present[:0] = [KeyedInChosenFolder, KeyedBesideModule, KeyedForUser]
+    locators = caching.CacheImpl._locator_classes
+    if KeyedInChosenFolder not in locators:
+        locators[:0] = [KeyedInChosenFolder, KeyedBesideModule, KeyedForUser]
     return not numba.config.CACHE_LOCATOR_CLASSES

@@ -1,8 +1,8 @@
-"""The paper's own equations: constraints, Newton, accelerations and Lagrange multipliers.
+"""The paper's equations: constraints, Newton, accelerations and Lagrange multipliers.
 
-Equations 4-7 (perfect joint, nine unknowns) and 8-12 (imperfect joint, ten unknowns) are solved for
-all crank angles at once. It is the reference that the closed form of ``rigapp_model.dynamics`` must
-agree with, and tens of times slower.
+Solves Eqs 4-7 (perfect joint, nine unknowns) and 8-12 (imperfect joint, ten unknowns) for all
+crank angles at once. Reference for the closed form of ``rigapp_model.dynamics``; tens of times
+slower.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ Array = NDArray[np.float64]
 X1, Y1, PHI1, X2, Y2, PHI2, X3, Y3, PHI3, ALPHA = range(10)
 """Indices of the unknowns in q (paper, Eq. 5; alpha follows for the imperfect joint)."""
 
-STALLED = 1e-12  # steps that shrink no more are rounding, where the Jacobian is nearly singular
-ENOUGH_ITERATIONS = 8  # Newton has converged by then, to rounding
-MOST_ITERATIONS = 30  # Newton takes 5 from its start; 30 means that it does not converge
+STALLED = 1e-12  # near a singular Jacobian, steps stop shrinking at the level of rounding
+ENOUGH_ITERATIONS = 8  # by then Newton has converged to rounding
+MOST_ITERATIONS = 30  # Newton needs about 5; with 30 it does not converge
 TOLERANCE = 1e-14  # of the unknowns: rounding, so that the reference adds no error of its own
 
 System = Callable[[Array, Array], tuple[Array, Array, Array]]
@@ -33,7 +33,7 @@ System = Callable[[Array, Array], tuple[Array, Array, Array]]
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The solved cycle, one row an angle: q, its rates, multipliers, and forces read off.
+    """Solution of a cycle, one row per angle: q, its derivatives, multipliers and forces.
 
     ``force`` (2, n) is F on the follower by the pin, ``wrist_force`` (2, n) on the slider by the
     follower, ``guide_force`` (n) on the slider by its guide, ``drive_torque`` (n) on the crank.
@@ -55,14 +55,14 @@ def solve_perfect(
 ) -> Solution:
     """Solve Eqs 4-7 for the perfect joint at crank angles (n,); raise ModelError if Newton fails.
 
-    Rows 5 and 6 close the slider's position from the crank and not from the follower, so that the
-    pin carries the multipliers of rows 3-4 and of rows 5-6 together.
+    Rows 5 and 6 constrain the slider relative to the crank and not to the follower, so the pin
+    force is the sum of the multipliers of rows 3-4 and of rows 5-6.
     """
-    turn, rate, growth = _cycle(angle, speed, acceleration)
-    start = np.zeros((len(turn), 9))
-    start[:, PHI1] = turn
-    _place(mechanism, start, 0.0)
-    solution = _solve(mechanism, _perfect_joint(mechanism, turn), start, rate, growth)
+    crank, rate, growth = _cycle(angle, speed, acceleration)
+    start = np.zeros((len(crank), 9))
+    start[:, PHI1] = crank
+    _initial_guess(mechanism, start, 0.0)
+    solution = _solve(mechanism, _perfect_joint(mechanism, crank), start, rate, growth)
     q, qd, qdd, multipliers, iterations = solution
     wrist = -multipliers[:, 4:6].T
     return Solution(
@@ -88,18 +88,18 @@ def solve_imperfect(
 ) -> Solution:
     """Solve Eq. 12 for the imperfect joint in continuous contact, at crank angles (n,).
 
-    Newton starts on the branch alpha = pi + phi2 - phi1, the only one of Eq. 11 that is the joint.
+    Newton starts on the branch alpha = pi + phi2 - phi1, the only physical one of Eq. 11.
     Exchange the two radii for contact on the wall away from the crank. Raises ModelError if Newton
-    fails or lands on the other branch.
+    fails or converges to the other branch.
     """
     require_positive("pin_radius", pin_radius, "m")
     require_positive("bushing_radius", bushing_radius, "m")
-    turn, rate, growth = _cycle(angle, speed, acceleration)
-    start = np.zeros((len(turn), 10))
-    start[:, PHI1] = turn
-    start[:, ALPHA] = np.pi - turn
-    _place(mechanism, start, bushing_radius - pin_radius)
-    system = _imperfect_joint(mechanism, pin_radius, bushing_radius, turn)
+    crank, rate, growth = _cycle(angle, speed, acceleration)
+    start = np.zeros((len(crank), 10))
+    start[:, PHI1] = crank
+    start[:, ALPHA] = np.pi - crank
+    _initial_guess(mechanism, start, bushing_radius - pin_radius)
+    system = _imperfect_joint(mechanism, pin_radius, bushing_radius, crank)
     q, qd, qdd, multipliers, iterations = _solve(mechanism, system, start, rate, growth)
     if np.any(np.cos(q[:, PHI1] - q[:, PHI2] + q[:, ALPHA]) > 0.0):
         raise ModelError("alpha", say("on the wrong branch"), say("check the lengths and radii"))
@@ -125,12 +125,12 @@ def _cycle(angle: ArrayLike, speed: ArrayLike, growth: ArrayLike) -> tuple[Array
             raise ModelError(
                 name, say("not a row of finite numbers"), say("give an array of shape (n,)")
             )
-    turn, rate, gain = np.broadcast_arrays(*arrays)
-    return turn, rate, gain
+    crank, rate, gain = np.broadcast_arrays(*arrays)
+    return crank, rate, gain
 
 
-def _place(mechanism: Mechanism, start: Array, gap: float) -> None:
-    """Place the bodies roughly, with the follower parallel to the slider's guide."""
+def _initial_guess(mechanism: Mechanism, start: Array, gap: float) -> None:
+    """Set the initial guess in place: the follower parallel to the slider's guide."""
     r, length = mechanism.crank_radius, mechanism.follower_length
     c, s = np.cos(start[:, PHI1]), np.sin(start[:, PHI1])
     start[:, X1], start[:, Y1] = 0.5 * r * c, 0.5 * r * s
@@ -138,7 +138,7 @@ def _place(mechanism: Mechanism, start: Array, gap: float) -> None:
     start[:, X3] = r * c + length + gap
 
 
-def _perfect_joint(mechanism: Mechanism, turn: Array) -> System:
+def _perfect_joint(mechanism: Mechanism, crank: Array) -> System:
     """Return Eq. 4 with its Jacobian and quadratic velocity terms."""
     l1, l2 = 0.5 * mechanism.crank_radius, 0.5 * mechanism.follower_length
 
@@ -160,14 +160,14 @@ def _perfect_joint(mechanism: Mechanism, turn: Array) -> System:
         for i, column in ((6, Y3), (7, PHI3), (8, PHI1)):
             phi[:, i] = q[:, column]
             jacobian[:, i, column] = 1.0
-        phi[:, 8] -= turn
+        phi[:, 8] -= crank
         return phi, jacobian, gamma
 
     return system
 
 
 def _imperfect_joint(
-    mechanism: Mechanism, pin_radius: float, bushing_radius: float, turn: Array
+    mechanism: Mechanism, pin_radius: float, bushing_radius: float, crank: Array
 ) -> System:
     """Return Eq. 12 with its Jacobian and quadratic velocity terms."""
     l1, l2 = 0.5 * mechanism.crank_radius, 0.5 * mechanism.follower_length
@@ -210,7 +210,7 @@ def _imperfect_joint(
         for i, column in ((7, Y3), (8, PHI3), (9, PHI1)):
             phi[:, i] = q[:, column]
             jacobian[:, i, column] = 1.0
-        phi[:, 9] -= turn
+        phi[:, 9] -= crank
         return phi, jacobian, gamma
 
     return system
@@ -220,10 +220,10 @@ def _solve(
     mechanism: Mechanism, system: System, q: Array, rate: Array, growth: Array
 ) -> tuple[Array, Array, Array, Array, int]:
     """Return q, qd (Eq. 6), qdd (Eq. 7 with its inverse Jacobian), multipliers, iterations."""
-    still = np.zeros_like(q)
+    zero_rates = np.zeros_like(q)
     size = mechanism.crank_radius + mechanism.follower_length
     for iterations in range(1, MOST_ITERATIONS + 1):
-        values, jacobian, _ = system(q, still)
+        values, jacobian, _ = system(q, zero_rates)
         step = _linear(jacobian, values)
         q = q - step
         if np.abs(step).max() <= TOLERANCE * max(size, 1.0):
@@ -236,7 +236,7 @@ def _solve(
         )
     drive = np.zeros_like(q)
     drive[:, -1] = rate
-    _, jacobian, _ = system(q, still)
+    _, jacobian, _ = system(q, zero_rates)
     qd = _linear(jacobian, drive)
     _, _, gamma = system(q, qd)
     drive[:, -1] = growth
@@ -262,7 +262,7 @@ def _multipliers(mechanism: Mechanism, jacobian: Array, q: Array, qdd: Array) ->
 
 
 def _linear(matrices: Array, rights: Array) -> Array:
-    """Solve one small system an angle."""
+    """Solve one small linear system per angle."""
     try:
         solution = np.linalg.solve(matrices, rights[..., None])[..., 0]
     except np.linalg.LinAlgError as problem:

@@ -20,20 +20,20 @@ from rigapp_model.restitution import (
 )
 
 Array = NDArray[np.float64]
-LARGEST_TOLERANCE = 0.1  # of a step or penetration: with more, impacts are missed
+LARGEST_TOLERANCE = 0.1  # of a step or penetration; a larger one misses impacts
 
 
 @dataclass(frozen=True, slots=True)
 class ContactModel:
-    """The settings of the contact force; all but the first two are numerical choices.
+    """Settings of the contact force; all but the first two are numerical.
 
     law: one of ``CONTACT_LAWS``. restitution: normal speed after an impact over that before.
     friction_ramp: sliding speeds (m/s) at which Coulomb friction begins to act and acts in full.
-    impact_speed_floor: least d0' (m/s): a contact that begins at rest would damp infinitely.
-    foundation: bear on the whole surface as an elastic foundation instead of one point; None does
-    so for a worn surface only, where the pin fits closely and a single point is wrong.
-    stiffness: K in N/m^1.5, for an elastic force K d^1.5 instead of the law's.
-    tolerance: error of one step as part of the mean penetration.
+    impact_speed_floor: least d0' (m/s); without it a contact from rest would be damped infinitely.
+    foundation: contact over the whole surface as an elastic foundation instead of at one point;
+    None: only if the surface is worn, where the pin conforms to it and one point would be wrong.
+    stiffness: K in N/m^1.5, for an elastic force K d^1.5 instead of that of the law.
+    tolerance: error of one step, as a fraction of the mean penetration.
     """
 
     law: str = DEFAULT_LAW
@@ -68,7 +68,7 @@ class ContactModel:
         return CONTACT_LAWS[self.law].damping(self.restitution)
 
     def sentence(self) -> str:
-        """Return how far the law misses the set restitution, empty when it does not."""
+        """Return a message if the law does not give the set restitution, else an empty text."""
         actual = restitution_of(self.hysteresis)
         if abs(actual - self.restitution) <= MISSED:
             return ""
@@ -85,10 +85,10 @@ class ContactModel:
 
 @dataclass(frozen=True, slots=True)
 class WornSurface:
-    """The wear depth (m) over the angle (rad) of the bushing's inner surface.
+    """Wear depth (m) over the angle (rad) of the bushing's inner surface.
 
     angle: from the initial contact point (towards the crank), counter-clockwise in the follower
-    frame, increasing, within one turn; depth: shape like angle. The profile is closed to a period.
+    frame, increasing, within one turn; depth: same shape. The profile is periodic.
     """
 
     angle: Array
@@ -141,7 +141,7 @@ def hertz_stiffness(joint: Joint, bushing: Material, pin: Material) -> float:
 def foundation_modulus(
     youngs_modulus: float, poissons_ratio: float, wall: float, plane: str = "strain"
 ) -> float:
-    """Return pressure per penetration of a layer held sideways on its rim (Winkler), Pa/m.
+    """Return pressure per penetration of a laterally confined layer on its rim (Winkler), Pa/m.
 
     E (1 - nu) / ((1 + nu) (1 - 2 nu)) / wall in plane strain; E / (1 - nu^2) / wall in plane
     stress. youngs_modulus: Pa; wall: thickness, m.

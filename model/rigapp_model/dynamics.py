@@ -18,17 +18,17 @@ from rigapp_model.compiled import njit
 from rigapp_model.errors import ModelError
 from rigapp_model.parameters import Joint, Mechanism
 
-# The kernel: motion and forces at every angle in one pass, compiled. Numpy would pass over all
-# angles once for each of the 130 operations.
+# The kernel computes motion and forces of all angles in one compiled pass. Numpy would need one
+# pass over all angles for each of the 130 operations.
 #
-# A block of angles is solved in a small array whose rows are a fixed distance apart: only then can
-# the compiler exclude that rows overlap, and vectorise.
+# Each block of angles is solved in a small array with a fixed distance between rows: only then can
+# the compiler exclude overlapping rows, and vectorise.
 
 CRANK_RADIUS, FOLLOWER_LENGTH, CRANK_MASS, FOLLOWER_MASS, MOVING_MASS = range(5)
 CRANK_INERTIA, FOLLOWER_INERTIA, STIFFNESS, FREE_POSITION = range(5, 9)
 GRAVITY_X, GRAVITY_Y, FRICTION_RADIUS = range(9, 12)
 CONSTANTS = 12
-"""Indices of the constants; the last is that of the friction circle, m, 0 without friction."""
+"""Indices of the constants; FRICTION_RADIUS: of the friction circle, m, 0 without friction."""
 
 ANGLE, SPEED, ACCELERATION, GAP, COSINE, SINE = range(6)
 INPUTS = 6
@@ -50,9 +50,9 @@ CRANK_POSITION, CRANK_VELOCITY, CRANK_ACCELERATION = range(10, 16, 2)
 CENTRE_POSITION, CENTRE_VELOCITY, CENTRE_ACCELERATION = range(16, 22, 2)
 FORCE, FORCE_CRANK, FORCE_FOLLOWER, WRIST_FORCE, BEARING_FORCE = range(22, 32, 2)
 OUTPUTS = 32
-"""Rows of the outputs; from ``CRANK_POSITION`` on each is the first of two, x and y."""
+"""Rows of the outputs; from ``CRANK_POSITION`` on each is the first of a pair x, y."""
 
-SPAN = 64  # angles of a block: its rows stay in the fastest cache
+SPAN = 64  # angles per block: its rows fit in the L1 cache
 BLOCK = (OUTPUTS + INPUTS) * SPAN
 
 ROWS = float64[:, ::1]
@@ -64,11 +64,11 @@ ROWS = float64[:, ::1]
     error_model="numpy",
 )
 def solve(constants, inputs, outputs):  # type: ignore[no-untyped-def]
-    """Fill ``outputs`` (OUTPUTS, n) at each angle of ``inputs`` (INPUTS, n); return if it moves.
+    """Fill ``outputs`` (OUTPUTS, n) for ``inputs`` (INPUTS, n); return False if the joint locks.
 
-    It does not where the friction circle is larger than the follower's lever: the joint locks. A
-    moment M turns the pin force into (fx, fy + M / lever), and M = s rho |F| with the radius rho of
-    the circle and s the sense of sliding, so |F| is the positive root of a quadratic.
+    It locks where the friction circle is larger than the follower's lever. A moment M changes the
+    pin force to (fx, fy + M / lever), and M = s rho |F| with the radius rho of the circle and the
+    direction of sliding s, so |F| is the positive root of a quadratic.
     """
     r, rod = constants[CRANK_RADIUS], constants[FOLLOWER_LENGTH]
     m1, m2, m3 = constants[CRANK_MASS], constants[FOLLOWER_MASS], constants[MOVING_MASS]
@@ -175,7 +175,7 @@ def solve(constants, inputs, outputs):  # type: ignore[no-untyped-def]
 Array = NDArray[np.float64]
 
 LEAST_TORQUE_NM = 0.01
-"""The friction of any crank's bearings holds it against less."""
+"""Torques below this are held by the bearing friction of any crank."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,7 +224,7 @@ class MechanismMotion:
         return pin_radius * (self.speed - self.follower_speed)
 
     def slip_increments(self, pin_radius: float) -> Array:
-        """Return the slip from each angle to the next one, m; the last one to the first.
+        """Return the slip from each angle to the next, m; the last value is that to the first.
 
         The angles must be one revolution in steps; the sum is then 2 pi ``pin_radius`` whatever
         the clearance is. (Paper, section 4.1.)
@@ -248,13 +248,13 @@ def inverse_dynamics(
     """Compute motion and all forces from the crank's angle (rad), speed and acceleration.
 
     The arguments broadcast against each other; scalars give 0-d results. ``clearance`` (m) > 0
-    makes the follower longer by it between pin and centre of mass: the pin bears on the wall
+    lengthens the follower by as much between pin and centre of mass: the pin bears on the wall
     towards the crank, the follower is in tension; < 0 is the other wall. ``contact``: the pin
-    radius and the friction coefficient of the joint; None is without friction.
+    radius and the friction coefficient of the joint; None: frictionless.
 
-    Raises ModelError when the clearance leaves the follower too short for the crank or a number
-    is not finite. Sources: paper Eqs 4 and 12 with their multipliers eliminated by hand; friction
-    by the friction circle.
+    Raises ModelError if the clearance leaves the follower too short for the crank or a number is
+    not finite. Sources: paper Eqs 4 and 12 with the multipliers eliminated by hand; friction by
+    the friction circle.
     """
     inputs = _inputs(mechanism, angle, speed, acceleration, clearance)
     shape = inputs.shape[1:]
@@ -303,7 +303,7 @@ def inverse_dynamics(
 
 
 def _constants(mechanism: Mechanism, contact: Joint | None) -> Array:
-    """Return the constants of mechanism and joint for the compiled solution."""
+    """Return the constants of mechanism and joint for the kernel."""
     constants = np.zeros(CONSTANTS)
     constants[CRANK_RADIUS] = mechanism.crank_radius
     constants[FOLLOWER_LENGTH] = mechanism.follower_length
@@ -329,7 +329,7 @@ def _inputs(
     acceleration: ArrayLike,
     clearance: ArrayLike,
 ) -> Array:
-    """Return the four arguments, checked, as input rows of the compiled solution."""
+    """Validate the four arguments and return them as input rows of the kernel."""
     names = ("angle", "speed", "acceleration", "clearance")
     arrays = [np.asarray(a, dtype=np.float64) for a in (angle, speed, acceleration, clearance)]
     try:
@@ -362,10 +362,10 @@ def _inputs(
 
 
 def rest_angle(mechanism: Mechanism) -> float | None:
-    """Return the crank angle (rad) at which spring and weight hold the crank, None without both.
+    """Return the equilibrium angle (rad) of the crank under spring and weight, None without both.
 
-    The deepest minimum of the potential energy, which is the work of the torque that would turn
-    the crank without friction and inertia forces.
+    The deepest minimum of the potential energy, which is the work of the torque that turns the
+    crank without friction and inertia forces.
     """
     angle = np.linspace(0.0, 2.0 * np.pi, 721)
     torque = inverse_dynamics(mechanism, angle, 0.0).drive_torque

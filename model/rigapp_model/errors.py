@@ -1,4 +1,4 @@
-"""Errors of the model for numbers that it cannot use."""
+"""Errors of the model about unusable numbers, and checks that raise them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rigapp.texts import say
 
 
 class ModelError(ValueError):
-    """The sentence names the quantity, its value and the remedy.
+    """Unusable number; the message names the quantity, its value and the remedy.
 
     ``quantity`` is the name of the field or argument at fault, ``value`` its value.
     """
@@ -45,4 +45,4 @@ def require_not_negative(quantity: str, value: Any, unit: str = "") -> None:
 
 
 class OutOfTime(Exception):
-    """Raised by a caller's ``progress``, between steps, to stop a computation."""
+    """Raised by a caller's ``progress`` between steps, to stop a computation."""

@@ -1,4 +1,4 @@
-"""Turn plane vectors from one frame into another."""
+"""Transformation of plane vectors between frames."""
 
 from __future__ import annotations
 

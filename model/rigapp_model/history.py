@@ -1,8 +1,8 @@
 """Speed and acceleration from a measured history of the crank angle.
 
-An encoder gives whole counts, whose differences are useless as accelerations. The crank of a
-running rig moves as a steady turn, perhaps a steady gain of speed, and a few harmonics of the
-turn; these are fitted by least squares and differentiated exactly.
+An encoder returns integer counts, whose second differences are useless as accelerations. The crank
+of a running rig turns at constant speed, perhaps with constant acceleration and a few harmonics of
+the revolution; these are fitted by least squares and differentiated analytically.
 """
 
 from __future__ import annotations
@@ -18,19 +18,19 @@ from rigapp.texts import say
 from rigapp_model.compiled import njit
 from rigapp_model.errors import ModelError
 
-# The kernels: sums of the angle fit. The linear algebra library would compute them with threads
-# that wait for each other: on a busy machine a hundred times slower.
+# Kernels with the sums of the angle fit. The linear algebra library would use threads that wait
+# for each other: a hundred times slower on a busy machine.
 
 MATRIX = float64[:, ::1]
 ROW = float64[::1]
 READ_ROW = types.Array(float64, 1, "C", readonly=True)
 DEPENDENT = 1e-14
-"""Part of a column that must remain after the others, or it is taken as dependent on them."""
+"""Pivot (relative) below which a column counts as linearly dependent on the others."""
 
 
 @njit(types.Tuple((MATRIX, ROW))(MATRIX, ROW), cache=True, fastmath={"reassoc"})
 def normal_equations(design, values):  # type: ignore[no-untyped-def]
-    """Return the Gram matrix of a design's rows (m, n) and their products with values (n,)."""
+    """Return the Gram matrix of the design's rows (m, n) and their products with values (n,)."""
     count, size = design.shape
     gram, right = np.empty((count, count)), np.empty(count)
     for i in range(count):
@@ -48,7 +48,7 @@ def normal_equations(design, values):  # type: ignore[no-untyped-def]
 
 @njit(MATRIX(MATRIX), cache=True)
 def inverse(matrix):  # type: ignore[no-untyped-def]
-    """Return the inverse of a symmetric, positive matrix; a dependent unknown gets zeros."""
+    """Return the inverse of a symmetric, positive matrix; zeros for a dependent unknown."""
     count = matrix.shape[0]
     work = matrix.copy()
     scale = np.empty(count)
@@ -114,50 +114,50 @@ def evaluate(tau, phase, trend, cosines, sines):  # type: ignore[no-untyped-def]
 
 Array = NDArray[np.float64]
 
-HARMONICS = 12  # ripple falls with k^3: the 13th is 2000 times below the first
+HARMONICS = 12  # ripple decreases with k^3: the 13th is 2000 times below the first
 FEWEST_SAMPLES = 8  # a trend has three unknowns, and must be distinguished from noise
-MOST_BLOCKS = 2048  # 170 to a period of the 12th harmonic; more cost time for nothing
+MOST_BLOCKS = 2048  # 170 per period of the 12th harmonic; more only cost time
 RIPPLE_PRIOR = 0.05
 """Expected amplitude (rad) of the first harmonic, 5 % ripple of the speed: a loosely tuned drive.
 
-Harmonic k is expected to be k^3 times less: torques of one size at each harmonic, and some decay.
+Harmonic k is expected to be k^3 times smaller: equal torques of all harmonics, and some decay.
 """
 SIGNIFICANT = 6.0
-"""Harmonics with less than this many times the variance of a coefficient are noise (5 % odds)."""
-TREND_SIGNIFICANT = 4.0  # standard deviations: 6e-5 odds that noise looks like a run-up
-OUTLIER = 10.0  # median residuals: nearly 7 standard deviations of normal noise
-LEAST_RESIDUAL = 1e-12  # rad: where the residuals are rounding, none is an outlier
+"""Ratio of a harmonic's power to a coefficient's variance, below which it is noise (5 % odds)."""
+TREND_SIGNIFICANT = 4.0  # standard deviations: noise is taken for a run-up with odds of 6e-5
+OUTLIER = 10.0  # times the median residual: nearly 7 standard deviations of normal noise
+LEAST_RESIDUAL = 1e-12  # rad: below it residuals are rounding, and none is an outlier
 FEWEST_KEPT = (
-    0.8  # of the samples: more than a fifth are no outliers, but motion that is not fitted
+    0.8  # of the samples: if more than a fifth deviate, it is unfitted motion, not outliers
 )
-SAMPLES_PER_HARMONIC = 8  # two unknowns each: three quarters of the samples are left for the noise
+SAMPLES_PER_HARMONIC = 8  # two unknowns each: three quarters of the samples determine the noise
 RESOLVED = 1e-9  # rad: ten times the rounding of an angle after 1e5 turns
 FINEST_COUNT = 1e-5  # rad: 600 000 counts a turn, more than the counter of any rig resolves
-WHOLE = 0.01  # counts: in a step of 100, where the finest is known to 1e-4
+WHOLE = 0.01  # counts, deviation from an integer: of a step of 100 with a count known to 1e-4
 COUNTING_SPAN, COUNTING_DEVIATION = 1.85, 0.34
-"""Residuals about a line by counting alone: span and deviation, in counts.
+"""Residuals about a line due to counting alone: span and standard deviation, in counts.
 
-At most 1.21 and 0.326 in 6000 steady turns of any speed. The deviation leaves 5 % above that; the
-span an edge 0.6 counts off, which encoders have, and no whole count.
+At most 1.21 and 0.326 in 6000 turns at constant speed, any speed. The limit of the deviation is
+5 % above that; that of the span allows an edge error of 0.6 counts, as of encoders, but no count.
 """
 LEAST_TURN = 0.25
-"""Half the turn (rad) below which there is nothing periodic to fit.
+"""Half the turn (rad) below which no harmonics are fitted.
 
-Over so little the first harmonic and the parabola of the trend differ by 1.6e-4 rad (x^4 / 24).
+Below it the first harmonic and the parabola of the trend differ by less than 1.6e-4 rad (x^4 / 24).
 """
 LEAST_GAIN = 0.005
 """Quadratic over linear turn above which the harmonics follow the changing speed.
 
-Below it the 12th harmonic is out of step by 0.2 rad at the ends of one revolution (12 pi / 200).
+Below it the phase error of the 12th harmonic at the ends of a revolution is 0.2 rad (12 pi / 200).
 """
 
 
 @dataclass(frozen=True, slots=True)
 class AngleHistory:
-    """A smooth history: angle (rad), speed (rad/s), acceleration (rad/s^2) at each time.
+    """Smooth history: angle (rad), speed (rad/s), acceleration (rad/s^2) at each time.
 
-    ``noise`` is the standard deviation of one measured angle about the fit (rad), as estimated
-    from the residuals; for an encoder of n counts a turn expect 2 pi / n / sqrt(12).
+    ``noise`` is the standard deviation of one measured angle about the fit (rad), estimated from
+    the residuals; 2 pi / n / sqrt(12) is expected of an encoder with n counts a turn.
     """
 
     angle: Array
@@ -171,9 +171,9 @@ def motion_from_history(
 ) -> tuple[Array, Array]:
     """Return crank speed (rad/s) and acceleration (rad/s^2) at each measured time.
 
-    time: s, strictly increasing, shape (n,), n >= 8; best one revolution or more. angle: rad,
-    shape (n,); may be whole encoder counts times the count's angle and may restart at the index.
-    Raises ModelError for what cannot be differentiated.
+    time: s, strictly increasing, shape (n,), n >= 8; preferably one revolution or more. angle: rad,
+    shape (n,); may be encoder counts times the angle of a count and may restart at the index.
+    Raises ModelError for arrays that cannot be differentiated.
     """
     history = smooth_history(time, angle, harmonics)
     return history.speed, history.acceleration
@@ -181,12 +181,12 @@ def motion_from_history(
 
 def smooth_history(time: ArrayLike, angle: ArrayLike, harmonics: int = HARMONICS) -> AngleHistory:
     """Fit a measured angle history; see ``motion_from_history`` for arguments and errors."""
-    moments, turned = _checked(time, angle)
-    middle, half = 0.5 * (moments[0] + moments[-1]), 0.5 * (moments[-1] - moments[0])
-    tau = (moments - middle) / half
-    mean_rate = 0.5 * (turned[-1] - turned[0])
-    per_block = -(-len(moments) // MOST_BLOCKS)
-    taus, angles = _block_means(tau, per_block), _block_means(turned, per_block)
+    times, unwrapped = _checked(time, angle)
+    middle, half = 0.5 * (times[0] + times[-1]), 0.5 * (times[-1] - times[0])
+    tau = (times - middle) / half
+    mean_rate = 0.5 * (unwrapped[-1] - unwrapped[0])
+    per_block = -(-len(times) // MOST_BLOCKS)
+    taus, angles = _block_means(tau, per_block), _block_means(unwrapped, per_block)
     most = min(
         harmonics,
         len(taus) // SAMPLES_PER_HARMONIC,
@@ -194,15 +194,15 @@ def smooth_history(time: ArrayLike, angle: ArrayLike, harmonics: int = HARMONICS
     )
     orders = np.arange(1, most + 1) if abs(mean_rate) > LEAST_TURN else np.arange(0)
     raw = slice(per_block // 2, len(taus) * per_block, per_block)
-    counted = Counted(tau[raw], turned[raw], quantum_of(turned))
+    counted = Counted(tau[raw], unwrapped[raw], quantum_of(unwrapped))
     phase = np.array([0.0, mean_rate, 0.0])
     values, noise = _fit(taus, angles, phase, orders, counted)
     if abs(values[2]) > LEAST_GAIN * abs(values[1]) and len(orders):
         phase[1:] = values[1:3]
         values, noise = _fit(taus, angles, phase, orders, counted)
     width = per_block * float(np.median(np.diff(tau))) * mean_rate
-    seen = np.sinc(orders * (width / (2.0 * np.pi)))
-    cosines, sines = values[3 : 3 + len(orders)] / seen, values[3 + len(orders) :] / seen
+    factor = np.sinc(orders * (width / (2.0 * np.pi)))
+    cosines, sines = values[3 : 3 + len(orders)] / factor, values[3 + len(orders) :] / factor
     smooth, slope, curvature = evaluate(tau, phase, values[:3].copy(), cosines, sines)
     return AngleHistory(
         smooth, slope / half, curvature / half**2, noise * float(np.sqrt(per_block))
@@ -210,29 +210,29 @@ def smooth_history(time: ArrayLike, angle: ArrayLike, harmonics: int = HARMONICS
 
 
 def _checked(time: ArrayLike, angle: ArrayLike) -> tuple[Array, Array]:
-    """Return both as float64 arrays, the angle unwrapped."""
-    moments, turned = np.asarray(time, dtype=np.float64), np.asarray(angle, dtype=np.float64)
-    if moments.ndim != 1 or moments.shape != turned.shape:
-        shapes = say("{} for {} angles", moments.shape, turned.shape)
+    """Validate both; return them as float64 arrays, the angle unwrapped."""
+    times, unwrapped = np.asarray(time, dtype=np.float64), np.asarray(angle, dtype=np.float64)
+    if times.ndim != 1 or times.shape != unwrapped.shape:
+        shapes = say("{} for {} angles", times.shape, unwrapped.shape)
         raise ModelError("time", shapes, say("give one time for each angle"))
-    if len(moments) < FEWEST_SAMPLES:
-        raise ModelError("samples", len(moments), say("give at least {}", FEWEST_SAMPLES))
-    if not (np.isfinite(moments).all() and np.isfinite(turned).all()):
+    if len(times) < FEWEST_SAMPLES:
+        raise ModelError("samples", len(times), say("give at least {}", FEWEST_SAMPLES))
+    if not (np.isfinite(times).all() and np.isfinite(unwrapped).all()):
         raise ModelError(say("angle history"), say("not finite"), say("give finite numbers only"))
-    steps = np.diff(moments)
+    steps = np.diff(times)
     if steps.min() <= 0.0:
         where = int(steps.argmin()) + 1
         raise ModelError(
             "time",
-            float(moments[where]),
+            float(times[where]),
             say("sample {} is not later than the one before", where),
             "s",
         )
-    return moments, np.unwrap(turned)
+    return times, np.unwrap(unwrapped)
 
 
 def _block_means(values: Array, size: int) -> Array:
-    """Return the means of whole blocks; the rest after the last whole block is left out."""
+    """Return the means of complete blocks; samples after the last complete block are dropped."""
     if size == 1:
         return values
     end = len(values) // size * size
@@ -240,7 +240,7 @@ def _block_means(values: Array, size: int) -> Array:
 
 
 def _design(tau: Array, phase: Array, count: int) -> Array:
-    """Return 1, tau, tau^2, then cos and sin of k times the phase polynomial, one a row."""
+    """Return rows with 1, tau, tau^2, then cos and sin of k times the phase polynomial."""
     powers = np.empty((count, len(tau)), dtype=np.complex128)
     if count:
         powers[0] = np.exp(1j * _polynomial(phase, tau))
@@ -257,7 +257,7 @@ def _polynomial(coefficients: Array, tau: Array) -> Array:
 
 @dataclass(frozen=True, slots=True)
 class Counted:
-    """Single samples (not means), to decide whether a fit explains the counts."""
+    """Individual samples (not means), to decide whether a fit explains the counts."""
 
     tau: Array
     angle: Array
@@ -265,10 +265,10 @@ class Counted:
 
 
 def quantum_of(angle: Array) -> float:
-    """Return the angle of one count (rad), or 0 when the angles are no whole counts."""
+    """Return the angle of one count (rad), or 0 if the angles are not integer counts."""
     steps = np.unique(np.rint(np.abs(np.diff(angle)) / RESOLVED)) * RESOLVED
-    apart = np.diff(steps, prepend=0.0)
-    count = float(apart[apart > 0.0].min(initial=np.inf))
+    differences = np.diff(steps, prepend=0.0)
+    count = float(differences[differences > 0.0].min(initial=np.inf))
     if not FINEST_COUNT < count < np.inf:
         return 0.0
     counts = steps / count
@@ -280,8 +280,8 @@ def _fit(
 ) -> tuple[Array, float]:
     """Return the coefficients of trend and harmonics, and the noise.
 
-    The simplest motion that explains the counts is taken: fewer harmonics and no trend. Without
-    this, the counts of a perfectly steady turn, which can beat with the sampling, look like ripple.
+    Chooses the simplest motion that explains the counts: few harmonics, no trend. Otherwise counts
+    that beat with the sampling at exactly constant speed would be fitted as ripple.
     """
     most = len(orders)
     design = _design(taus, phase, most)
@@ -303,7 +303,7 @@ def _fit(
 
 
 def _rows(most: int, count: int, trend: bool) -> NDArray[np.int_]:
-    """Return the rows of a design that a motion with ``count`` harmonics has."""
+    """Return the design's rows for a motion with ``count`` harmonics."""
     waves = np.arange(count)
     return np.concatenate([np.arange(3 if trend else 2), 3 + waves, 3 + most + waves])
 
@@ -311,7 +311,7 @@ def _rows(most: int, count: int, trend: bool) -> NDArray[np.int_]:
 def _solve(
     design: Array, angles: Array, orders: NDArray[np.int_], trend: bool
 ) -> tuple[Array, float]:
-    """Return the coefficients and the noise; outliers count once, weak terms are taken out."""
+    """Return the coefficients and the noise; outliers are excluded once, weak terms set to 0."""
     values, noise = _regularised(design, angles, orders, trend)
     residual = np.abs(angles - values @ design)
     kept = residual <= OUTLIER * max(float(np.median(residual)), LEAST_RESIDUAL)
@@ -323,7 +323,7 @@ def _solve(
 def _regularised(
     design: Array, angles: Array, orders: NDArray[np.int_], trend: bool
 ) -> tuple[Array, float]:
-    """Solve with the noise that the residuals show and the prior that ripple dies out with k^3."""
+    """Solve with the noise of the residuals and the prior that ripple decreases with k^3."""
     gram, right = normal_equations(design, angles)
     degrees = max(len(angles) - len(gram), 1)
     free = _ridge(gram, right, np.zeros(len(gram)), 1.0)[0]

@@ -1,8 +1,8 @@
 """The uncertainty of speed and acceleration fitted to a measured history of the angle.
 
-The fit has a few harmonics of the turn. The residuals are searched for motion up to
-``HIGHEST_ORDER``; orders that stand out are motion that the fit does not follow, and others could
-still hide in the counts.
+The fit has a few harmonics of the revolution. The residuals are searched for motion up to
+``HIGHEST_ORDER``: significant orders are motion that the fit does not follow; motion of the other
+orders may be hidden by the resolution of the counts.
 """
 
 from __future__ import annotations
@@ -24,36 +24,36 @@ from rigapp_model.recurrent_motion import HIGHEST_ORDER, RecurrentMotion
 Array = NDArray[np.float64]
 
 UNSEEN_COUNTS = 2.5
-"""Counts of a history that a motion may change without being detected."""
-STANDS_OUT, FAR = 10.0, 25.0
-"""Ratios of power to noise from which an order is motion: two of the first, one of the second (odds
-of 1 in 100,000 by chance)."""
+"""Number of counts of a history that undetected motion may change."""
+SIGNIFICANT_PAIR, SIGNIFICANT_SINGLE = 10.0, 25.0
+"""Power over that of the noise from which two orders, or a single one, are motion (odds of 1 in
+100,000 by chance)."""
 BROAD = 7.0
-"""Standard deviations by which the mean power must exceed the noise's to be motion."""
+"""Standard deviations above the noise from which the mean power is motion."""
 EXPLAINED = 0.06
-"""Counts by which a fit may miss those that were measured and still explain them."""
+"""Counts by which the measured ones may deviate from a fit that explains them."""
 ALIKE = 1.1
-"""Ratio of deviations up to which two motions explain angles that are no counts equally well."""
+"""Ratio of standard deviations up to which two motions explain angles without counts equally."""
 BETWEEN = 1.0 / np.sqrt(24.0)
-"""RMS of a wave of any amplitude that fits in a span of one."""
+"""RMS of a wave with a random amplitude within a span of one."""
 SPIKE = 3.0
-"""Counts, or standard deviations, by which a faulty sample is off its neighbours."""
-TOGETHER = 9
-"""Neighbours whose mean shows whether the fit is off: a hundredth of a turn."""
+"""Counts, or standard deviations, by which a faulty sample differs from its neighbours."""
+AVERAGED = 9
+"""Neighbours whose mean shows an error of the fit: a hundredth of a turn."""
 COUNTED = 0.6
-"""Counts by which that mean is off where a steady turn beats slowly with the counts."""
-REACH = 3
-"""Factor for a sudden change, which has orders beyond the highest."""
+"""Error of that mean, in counts, where a constant speed beats slowly with the counts."""
+BANDWIDTH = 3
+"""Highest order of a sudden change, as a multiple of the highest order searched."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MotionUncertainty:
     """Standard uncertainties at each time: angle (rad), speed (rad/s), acceleration (rad/s^2).
 
-    unfollowed: the largest acceleration (rad/s^2) that the angle shows beyond the fit; 0 when none
-    exceeds the noise. recurrent: recurrent motion, with this revolution. history: the motion that
-    these belong to: the fit, or the recurrent motion where that explains the angle as well.
-    lasting: part of the acceleration's deviation that is the same in each revolution.
+    unfollowed: largest acceleration (rad/s^2) in the angle that is not in the fit; 0 if none
+    exceeds the noise. recurrent: recurrent motion, including this revolution. history: the motion
+    to which these apply: the fit, or the recurrent motion if that explains the angle as well.
+    lasting: fraction of the acceleration's deviation that is the same in each revolution.
     """
 
     angle: Array
@@ -76,28 +76,28 @@ def motion_uncertainty(
 ) -> MotionUncertainty:
     """Return the uncertainty of a fitted history; arguments as for ``smooth_history``.
 
-    before: recurrent motion of earlier revolutions, which shows what the fit to one misses.
+    before: recurrent motion of earlier revolutions, which includes what one fit does not resolve.
     """
-    moments = np.asarray(time, dtype=np.float64)
-    turned = np.unwrap(np.asarray(angle, dtype=np.float64))
-    quantum = quantum_of(turned)
-    size = len(moments)
-    even = np.linspace(moments[0], moments[-1], size)
+    times_s = np.asarray(time, dtype=np.float64)
+    unwrapped = np.unwrap(np.asarray(angle, dtype=np.float64))
+    quantum = quantum_of(unwrapped)
+    size = len(times_s)
+    even = np.linspace(times_s[0], times_s[-1], size)
     by_chance = max(quantum / np.sqrt(12.0), 0.0 if quantum else history.noise) ** 2 / size
-    recurrent, known = before.after(moments, turned, history.angle, by_chance)
-    smooth, slower, unpushed = history.angle, np.zeros(size), np.zeros(size)
+    recurrent, known = before.after(times_s, unwrapped, history.angle, by_chance)
+    smooth, speed_error, acceleration_error = history.angle, np.zeros(size), np.zeros(size)
     lasting = 1.0
     if known is not None:
         smooth = known.angle
-        if _explains(turned, smooth, history, quantum):
+        if _explains(unwrapped, smooth, history, quantum):
             history = AngleHistory(smooth, known.speed, known.acceleration, history.noise)
             lasting = known.lasting
-        slower = known.speed - history.speed
-        unpushed = known.acceleration - history.acceleration
-    left, slack = _beyond(turned, smooth, quantum)
-    beyond = np.interp(even, moments, left)
+        speed_error = known.speed - history.speed
+        acceleration_error = known.acceleration - history.acceleration
+    residual, slack = _residual_motion(unwrapped, smooth, quantum)
+    beyond = np.interp(even, times_s, residual)
     turns = max(abs(history.angle[-1] - history.angle[0]) / (2.0 * np.pi), 1e-9)
-    rate = 2.0 * np.pi / (moments[-1] - moments[0])
+    rate = 2.0 * np.pi / (times_s[-1] - times_s[0])
     spectrum = np.fft.rfft(beyond - beyond.mean()) / size
     power = np.abs(spectrum) ** 2
     top = min(len(power) // 3, max(2, round(HIGHEST_ORDER * turns)))
@@ -107,7 +107,7 @@ def motion_uncertainty(
     if known is not None:
         some = min(top, HIGHEST_ORDER)
         usual[1 : some + 1] = np.maximum(noise, known.scatter[:some])
-    seen = np.where(_stands_out(power / usual, top), spectrum, 0.0)
+    seen = np.where(_significant_orders(power / usual, top), spectrum, 0.0)
     orders = rate * np.arange(1, top + 1)
     hidden = [
         float(
@@ -131,13 +131,13 @@ def motion_uncertainty(
     moved = np.abs(_derived(seen, rate, size, 2))
     most = float(moved.max())
     if most > 0.0:
-        sudden = _envelope(moved / most, top) * _faster(seen, top, rate)
+        sudden = _envelope(moved / most, top) * _sudden_acceleration(seen, top, rate)
         acceleration = np.hypot(acceleration, sudden)
         most = float(np.hypot(most, sudden.max()))
     return MotionUncertainty(
-        angle=_of_angle(turned - history.angle, history.noise, quantum),
-        speed=np.hypot(np.interp(moments, even, speed), slower),
-        acceleration=np.hypot(np.interp(moments, even, acceleration), unpushed),
+        angle=_angle_uncertainty(unwrapped - history.angle, history.noise, quantum),
+        speed=np.hypot(np.interp(times_s, even, speed), speed_error),
+        acceleration=np.hypot(np.interp(times_s, even, acceleration), acceleration_error),
         unfollowed=most,
         recurrent=recurrent,
         history=history,
@@ -145,82 +145,85 @@ def motion_uncertainty(
     )
 
 
-def _explains(turned: Array, known: Array, history: AngleHistory, quantum: float) -> bool:
+def _explains(unwrapped: Array, known: Array, history: AngleHistory, quantum: float) -> bool:
     """Return whether a known motion explains the angles as well as the fit does.
 
-    For counts by the criterion of the fit itself; else the deviation from it must not exceed that
-    from the fit, corrected for its terms.
+    Counts: by the criterion of the fit. Other angles: the standard deviation must not exceed
+    ``ALIKE`` times that of the fit.
     """
-    left = turned - known
+    residual = unwrapped - known
     if quantum > 0.0:
-        left = (left - _line_of_least_span(left, quantum)) / quantum
-        return float(np.ptp(left)) <= COUNTING_SPAN and float(np.std(left)) <= COUNTING_DEVIATION
-    return float(np.std(left)) <= ALIKE * float(np.std(turned - history.angle))
+        residual = (residual - _line_of_least_span(residual, quantum)) / quantum
+        return (
+            float(np.ptp(residual)) <= COUNTING_SPAN
+            and float(np.std(residual)) <= COUNTING_DEVIATION
+        )
+    return float(np.std(residual)) <= ALIKE * float(np.std(unwrapped - history.angle))
 
 
-def _of_angle(left: Array, noise: float, quantum: float) -> Array:
+def _angle_uncertainty(residual: Array, noise: float, quantum: float) -> Array:
     """Return the standard uncertainty of a fitted angle, rad, from the residuals.
 
-    Each measured angle is right to a count: where several together are off by more, at the seam of
-    a turn with a change of speed, the fit is off there.
+    Each measured angle is correct to one count: where neighbours deviate together by more, as at
+    the index in a turn with a change of speed, the fit is wrong there.
     """
     known = max(noise, quantum / np.sqrt(12.0))
-    near = np.abs(uniform_filter1d(left, TOGETHER, mode="nearest"))
-    chance = max(COUNTED * quantum, 2.0 * noise / np.sqrt(TOGETHER))
-    return np.asarray(np.hypot(known, np.where(near > chance, near, 0.0)))
+    local_mean = np.abs(uniform_filter1d(residual, AVERAGED, mode="nearest"))
+    chance = max(COUNTED * quantum, 2.0 * noise / np.sqrt(AVERAGED))
+    return np.asarray(np.hypot(known, np.where(local_mean > chance, local_mean, 0.0)))
 
 
-def _stands_out(ratio: Array, top: int) -> NDArray[np.bool_]:
-    """Return which orders are motion, from their power over the noise's."""
+def _significant_orders(ratio: Array, top: int) -> NDArray[np.bool_]:
+    """Return flags of the orders that are motion, from their power over that of the noise."""
     slow = ratio[1 : top + 1]
-    standing = slow > STANDS_OUT
-    if np.count_nonzero(standing) < 2 and slow.max() < FAR:
-        standing[:] = False
-    if np.minimum(slow, STANDS_OUT).mean() > 1.0 + BROAD / np.sqrt(len(slow)):
-        standing |= slow > 1.0
-    return np.concatenate([[False], standing, np.zeros(len(ratio) - top - 1, dtype=np.bool_)])
+    significant = slow > SIGNIFICANT_PAIR
+    if np.count_nonzero(significant) < 2 and slow.max() < SIGNIFICANT_SINGLE:
+        significant[:] = False
+    if np.minimum(slow, SIGNIFICANT_PAIR).mean() > 1.0 + BROAD / np.sqrt(len(slow)):
+        significant |= slow > 1.0
+    return np.concatenate([[False], significant, np.zeros(len(ratio) - top - 1, dtype=np.bool_)])
 
 
-def _beyond(turned: Array, smooth: Array, quantum: float) -> tuple[Array, float]:
-    """Return the angle beyond the fit, without spikes, and how much may be hidden.
+def _residual_motion(unwrapped: Array, smooth: Array, quantum: float) -> tuple[Array, float]:
+    """Return the residual angle without spikes, and the angle that may be hidden.
 
-    Counts are compared with those that the fit would give: the rest is motion, not counting. Where
-    the same few angles between the counts recur, motion between them changes none.
+    Counts are compared with those computed from the fit: the difference is motion, not counting.
+    If all samples lie at the same few angles within a count, motion between these changes none.
     """
-    left = turned - smooth
+    residual = unwrapped - smooth
     if quantum > 0.0:
-        straight = left - _line_of_least_span(left, quantum)
+        straight = residual - _line_of_least_span(residual, quantum)
         span = float(np.ptp(straight))
         if span < (1.0 + 2.0 * EXPLAINED) * quantum:
-            return np.zeros_like(left), max(abs(quantum - span), _room(straight, quantum))
-        middle = smooth - turned[0] + 0.5 * quantum * np.sign(smooth[-1] - smooth[0])
-        left = turned - turned[0] - quantum * np.floor(middle / quantum)
-    near = median_filter(left, 5, mode="nearest")
-    spikes = np.abs(left - near) > SPIKE * max(quantum, float(left.std()))
-    return np.where(spikes, near, left), 0.0
+            return np.zeros_like(residual), max(abs(quantum - span), _widest_gap(straight, quantum))
+        middle = smooth - unwrapped[0] + 0.5 * quantum * np.sign(smooth[-1] - smooth[0])
+        residual = unwrapped - unwrapped[0] - quantum * np.floor(middle / quantum)
+    near = median_filter(residual, 5, mode="nearest")
+    spikes = np.abs(residual - near) > SPIKE * max(quantum, float(residual.std()))
+    return np.where(spikes, near, residual), 0.0
 
 
-def _line_of_least_span(left: Array, quantum: float) -> Array:
-    """Return the line with the least span of residuals: counting a steady turn leaves one count."""
-    tau = np.linspace(-1.0, 1.0, len(left))
+def _line_of_least_span(residual: Array, quantum: float) -> Array:
+    """Return the line with the least span of residuals; one count at a constant speed."""
+    tau = np.linspace(-1.0, 1.0, len(residual))
     low, high = -quantum, quantum
     for _ in range(40):
         lower, upper = low + (high - low) / 3.0, high - (high - low) / 3.0
-        if np.ptp(left - lower * tau) < np.ptp(left - upper * tau):
+        if np.ptp(residual - lower * tau) < np.ptp(residual - upper * tau):
             high = upper
         else:
             low = lower
     return np.asarray(0.5 * (low + high) * tau)
 
 
-def _room(left: Array, quantum: float) -> float:
-    """Return the widest angle within a count without a sample."""
-    places = np.sort(np.mod(left, quantum))
-    return float(np.max(np.diff(places, append=places[0] + quantum)))
+def _widest_gap(residual: Array, quantum: float) -> float:
+    """Return the widest angle without a sample within a count."""
+    positions = np.sort(np.mod(residual, quantum))
+    return float(np.max(np.diff(positions, append=positions[0] + quantum)))
 
 
 def _noise_power(power: Array) -> float:
-    """Return the mean power of one order of white noise, by the median, which lines do not move."""
+    """Return the mean power per order of white noise, from the median, robust against lines."""
     return float(np.median(power) / np.log(2.0)) if len(power) else 0.0
 
 
@@ -230,18 +233,18 @@ def _derived(spectrum: Array, rate: float, size: int, times: int) -> Array:
 
 
 def _envelope(values: Array, top: int) -> Array:
-    """Return the largest size within half a period of the highest order on either side."""
+    """Return the largest magnitude within half a period of the highest order on either side."""
     reach = max(1, len(values) // (2 * top))
     return np.asarray(maximum_filter1d(np.abs(values), 2 * reach + 1, mode="wrap"))
 
 
-def _faster(seen: Array, top: int, rate: float) -> float:
-    """Return the acceleration of a sudden change in the orders beyond the highest.
+def _sudden_acceleration(seen: Array, top: int, rate: float) -> float:
+    """Return the acceleration of a sudden change in the orders above the highest.
 
-    A change within no time has the same acceleration in every order; a single line is no change.
+    An instantaneous change has equal accelerations in all orders; a single line is none.
     """
     orders = np.arange(1, top + 1)
     each = np.abs(seen[orders]) * (rate * orders) ** 2
     line = float(np.max(each**2) / np.sum(each**2))
     typical = float(np.median(each[2 * top // 3 :]))
-    return max(0.0, 1.0 - 2.0 * line) * 2.0 * typical * (min(REACH * top, len(seen) - 1) - top)
+    return max(0.0, 1.0 - 2.0 * line) * 2.0 * typical * (min(BANDWIDTH * top, len(seen) - 1) - top)

@@ -1,4 +1,4 @@
-"""The joint of interest as perfect, or as imperfect in continuous contact (paper, section 3).
+"""The joint of interest, perfect or imperfect in continuous contact (paper, section 3).
 
 The third technique, pin and bushing as separate bodies, is ``rigapp_model.contact.impact``.
 """
@@ -18,18 +18,18 @@ from rigapp_model.parameters import Joint, Mechanism
 Array = NDArray[np.float64]
 Range = tuple[float, float]
 
-HALF_STEP = 0.51  # of the angles' spacing: a cycle that ends within it before its begin is closed
+HALF_STEP = 0.51  # of the angles' spacing: a cycle that ends this close to its begin is closed
 
 
 @dataclass(frozen=True, slots=True)
 class ContinuousContact:
-    """Technique 2's answer for a cycle and whether its assumption holds.
+    """Result of technique 2 for a cycle, and whether its assumption holds.
 
-    ``wall`` is +1 where the pin bears on the wall towards the crank (follower in tension), -1 where
-    on the other. ``compression`` lists the crank angle ranges (rad, start to end, the end may
-    exceed 2 pi) in which the follower is not in tension, so that the pin leaves the wall and the
-    paper's second assumption fails. ``contact_angle`` is where the force presses on the bushing,
-    in the follower frame from the assumed contact point, rad: the third assumption has it 0.
+    ``wall``: +1 where the pin bears on the wall towards the crank (follower in tension), -1 on the
+    other. ``compression``: crank angle ranges (rad, start to end, the end may exceed 2 pi) in which
+    the follower is not in tension, so that the pin leaves the wall and the paper's second
+    assumption fails. ``contact_angle``: position of the contact force on the bushing, in the
+    follower frame from the assumed contact point, rad; 0 by the third assumption.
     """
 
     motion: MechanismMotion
@@ -40,11 +40,11 @@ class ContinuousContact:
 
     @property
     def assumption_holds(self) -> bool:
-        """Return whether the follower is in tension all the time."""
+        """Return whether the follower is in tension at all angles."""
         return not self.compression
 
     def sentence(self) -> str:
-        """Return a sentence for the user when the assumption fails; empty when it holds."""
+        """Return a message for the user if the assumption fails, else an empty text."""
         if self.assumption_holds:
             return ""
         if np.all(self.wall < 0.0):
@@ -91,9 +91,9 @@ def continuous_contact(
 ) -> ContinuousContact:
     """Compute technique 2: the pin always touches the bushing on the follower's axis (Eq. 12).
 
-    angle: rad, shape (n,), in order; one revolution without its end point is taken as a cycle.
-    clearance: R2 - R1 in m, the joint's own when None. Where the force along e2 is a pressure the
-    other wall bears: the same equations with -clearance. Raises ModelError.
+    angle: rad, shape (n,), in order; one revolution without its end point is treated as a cycle.
+    clearance: R2 - R1 in m, by default that of the joint. Where the force along e2 is compressive
+    the pin bears on the other wall: the same equations with -clearance. Raises ModelError.
     """
     gap = joint.clearance if clearance is None else clearance
     motion, wall, along = motion_on_walls(mechanism, joint, angle, speed, acceleration, gap)
@@ -114,9 +114,9 @@ def motion_on_walls(
     acceleration: ArrayLike,
     clearance: float,
 ) -> tuple[MechanismMotion, Array, Array]:
-    """Return the motion of technique 2, the wall at each angle, and the force that decides it.
+    """Return the motion of technique 2, the wall at each angle, and the force that determines it.
 
-    The force along e2 (N) is that of the follower in tension. See ``continuous_contact``.
+    That is the force along e2 (N) for a follower in tension. See ``continuous_contact``.
     """
     require_not_negative("clearance", clearance, "m")
     motion = inverse_dynamics(mechanism, angle, speed, acceleration, clearance, joint)
@@ -128,10 +128,10 @@ def motion_on_walls(
 
 
 def contact_direction(motion: MechanismMotion, friction_coefficient: float = 0.0) -> Array:
-    """Return where the pin presses on the bushing, rad from the point towards the crank.
+    """Return the direction of the contact on the bushing, rad from the point towards the crank.
 
-    Counter-clockwise in the follower frame, -pi .. pi. Friction turns the force away from the
-    normal by atan(mu) in the sense of sliding.
+    Counter-clockwise in the follower frame, -pi .. pi. Friction turns the force from the normal
+    by atan(mu) in the direction of sliding.
     """
     along, across = motion.force_follower
     sliding = np.sign(motion.speed - motion.follower_speed)
@@ -140,7 +140,7 @@ def contact_direction(motion: MechanismMotion, friction_coefficient: float = 0.0
 
 
 def _ranges_above_zero(angle: Array, value: Array) -> tuple[Range, ...]:
-    """Return the angle ranges in which a cycle's value is above zero, ends interpolated."""
+    """Return the angle ranges in which a cycle's value is above zero, with interpolated ends."""
     above = value > 0.0
     if not above.any():
         return ()

@@ -1,4 +1,4 @@
-"""The mechanism, its joint and its materials: checked records in SI units."""
+"""The mechanism, its joint and its materials: validated records in SI units."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from rigapp_model.restitution import DEFAULT_LAW, check_law
 
 @dataclass(frozen=True, slots=True)
 class Spring:
-    """The spring on the slider: force along +x = -stiffness (position - free_position).
+    """Spring on the slider: force along +x = -stiffness (position - free_position).
 
-    The paper does not say where the spring is anchored. A free position beyond the slider's
-    travel (anchor outboard) keeps the follower in tension; that is the assumed arrangement.
+    The paper does not state the spring's anchor. The assumed arrangement is a free position beyond
+    the slider's travel (anchor outboard), which keeps the follower in tension.
     """
 
     stiffness: float
@@ -69,16 +69,16 @@ class Mechanism:
 
     @property
     def moving_mass(self) -> float:
-        """Return the mass that slides: slider and added mass, kg."""
+        """Return the sliding mass: slider and added mass, kg."""
         return self.slider_mass + self.added_mass
 
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """The joint of interest: pin and bushing radii and width (m), Coulomb friction.
+    """Joint of interest: pin and bushing radii and width (m), Coulomb friction.
 
-    ``restitution`` and ``contact_law`` are those of pin and bushing as separate bodies; the laws
-    are in ``rigapp_model.contact_law``.
+    ``restitution`` and ``contact_law`` apply to pin and bushing as separate bodies; see
+    ``rigapp_model.contact_law``.
     """
 
     pin_radius: float
@@ -122,7 +122,7 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class Material:
-    """A linear elastic material: Young's modulus (Pa) and Poisson's ratio."""
+    """Linear elastic material: Young's modulus (Pa) and Poisson's ratio."""
 
     youngs_modulus: float
     poissons_ratio: float
@@ -142,12 +142,12 @@ class Material:
 
 @dataclass(frozen=True, slots=True)
 class WearLaw:
-    """The deviation from Archard's dh/ds = K p; none by default.
+    """Deviation from Archard's dh/ds = K p; none by default.
 
-    See ``rigapp_model.wear.laws``. name: there. excess: by what part of K it is larger in the first
-    revolution; running_in: revolutions in which this falls to 1/e. exponent: of the pressure;
+    name: from ``rigapp_model.wear.laws``. excess: relative increase of K in the first revolution;
+    running_in: revolutions in which it falls to 1/e. exponent: of the pressure;
     reference_pressure: where K is Archard's, Pa. transition: product of nominal pressure and
-    sliding speed, W/m^2, from which on K is ``beyond`` times as large.
+    sliding speed, W/m^2, from which K is multiplied by ``beyond``.
     """
 
     name: str = "archard"
@@ -173,7 +173,7 @@ ARCHARD = WearLaw()
 
 @dataclass(frozen=True, slots=True)
 class Bushing:
-    """The bushing's material, density (kg/m^3), wear coefficient (m^2/N) and wear law.
+    """Bushing: material, density (kg/m^3), wear coefficient (m^2/N) and wear law.
 
     1 mm^3/(N m) = 1e-9 m^2/N.
     """
@@ -190,7 +190,7 @@ class Bushing:
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
-    """All that a computation needs: mechanism, joint, bushing, and the pin's material."""
+    """All inputs of a computation: mechanism, joint, bushing, and the pin's material."""
 
     mechanism: Mechanism
     joint: Joint

@@ -1,8 +1,8 @@
-"""The motion of the crank that recurs in each revolution, from many similar ones.
+"""The motion of the crank that recurs in each revolution, from many similar revolutions.
 
-One revolution's angle is counted, and motion of many orders may hide in the counts. A mechanism
-repeats: the mean over similar revolutions shows the motion that the fit to a single one misses, and
-their scatter the motion that does not repeat.
+The counts of one revolution do not resolve motion of higher orders. A mechanism repeats: the mean
+over similar revolutions shows motion that the fit to a single one does not resolve, and their
+scatter the motion that does not repeat.
 """
 
 from __future__ import annotations
@@ -16,36 +16,36 @@ Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
 HIGHEST_ORDER = 40
-"""Orders of the turn up to which motion is searched, and may hide in the counts."""
+"""Highest order of the revolution in which motion is searched and may be hidden by the counts."""
 REMEMBERED = 100.0
-"""Revolutions over which the mean is taken: the drive's controller warms up over more."""
+"""Revolutions averaged: the motion changes over more, while the drive's controller warms up."""
 SAME_SPEED = 0.01
 """Relative change of the mean speed up to which revolutions count as similar."""
 LEAST_SEEN = 3
-"""Revolutions from which their scatter is used."""
+"""Fewest revolutions whose scatter is used."""
 JERK = 8.0
-"""Ratio of scatters above which a revolution has the weight of one with this ratio."""
+"""Limit of a revolution's squared deviation, as a multiple of the usual scatter."""
 MOST_SAMPLES = 2048
 FITTED = 12
-"""Orders that are fitted together with the steady turn; over one turn, more of them are nearly a
-line themselves."""
+"""Orders fitted together with the constant speed; over one turn, more of them are nearly
+collinear with the line."""
 SIGNIFICANT = 6.0
-"""Ratio of a harmonic's square to its variance below which it is noise (5 % odds)."""
-OWN = 2.0
-"""Ratio of an order's scatter to chance above which it changes from turn to turn."""
-SEEN = 2.0
+"""Ratio of a harmonic's power to its variance, below which it is noise (5 % odds)."""
+VARYING = 2.0
+"""Ratio of an order's scatter to that by chance, above which it changes from turn to turn."""
+DETECTED = 2.0
 """Standard deviations of chance above which the power of higher orders is motion."""
 _ORDERS = np.arange(1, HIGHEST_ORDER + 1)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KnownMotion:
-    """The recurrent motion of a revolution: angle (n,), rad, speed, rad/s, acceleration, rad/s^2.
+    """Recurrent motion of a revolution: angle (n,), rad, speed, rad/s, acceleration, rad/s^2.
 
-    again: the part of the counts that recurs at the same angles, without new information.
-    hidden_speed, hidden_acceleration: standard deviations of unseen recurrent motion, and of
-    motion that does not recur; lasting: the recurrent part of the latter, by its deviation.
-    scatter: usual variance of a harmonic (HIGHEST_ORDER,), rad^2.
+    again: fraction of the counts that recurs at the same angles, without new information.
+    hidden_speed, hidden_acceleration: standard deviations of undetected recurrent motion and of
+    motion that does not recur; lasting: recurrent fraction of the latter's deviation.
+    scatter: usual variance of each harmonic (HIGHEST_ORDER,), rad^2.
     """
 
     angle: Array
@@ -62,7 +62,7 @@ class KnownMotion:
 class RecurrentMotion:
     """Mean and scatter (variance) of the angle's harmonics (HIGHEST_ORDER,), rad, rad^2.
 
-    chance: mean variance of one harmonic by the counts or the noise of the angle, rad^2.
+    chance: mean variance of a harmonic due to the counts or the noise of the angle, rad^2.
     """
 
     speed: float = np.nan
@@ -74,18 +74,18 @@ class RecurrentMotion:
     def after(
         self, time: Array, angle: Array, smooth: Array, chance: float
     ) -> tuple[RecurrentMotion, KnownMotion | None]:
-        """Take a revolution and return its known motion; None where too few were similar.
+        """Add a revolution and return its known motion; None after too few similar revolutions.
 
         time (n,), s; angle (n,): as measured, unwrapped; smooth (n,): as fitted, rad. chance:
-        variance of one harmonic by counts or noise, rad^2.
+        variance of one harmonic due to counts or noise, rad^2.
         """
         step = -(-len(angle) // MOST_SAMPLES)
         waves = _waves(smooth[::step])
-        moments, some = time[::step] - time.mean(), angle[::step]
+        times, angles = time[::step] - time.mean(), angle[::step]
         speed = float((smooth[-1] - smooth[0]) / (time[-1] - time[0]))
-        alike = abs(speed - self.speed) <= SAME_SPEED * abs(speed)
-        before = self if alike else RecurrentMotion()
-        harmonics = _harmonics(moments, some, waves)
+        similar = abs(speed - self.speed) <= SAME_SPEED * abs(speed)
+        before = self if similar else RecurrentMotion()
+        harmonics = _harmonics(times, angles, waves)
         new = before._with(harmonics, speed, chance)
         if new.seen < LEAST_SEEN:
             return new, None
@@ -112,34 +112,34 @@ class RecurrentMotion:
     def _known(
         self, time: Array, angle: Array, waves: ComplexArray, harmonics: ComplexArray
     ) -> KnownMotion:
-        """Return what is known of a revolution whose harmonics are given."""
+        """Return the known motion of a revolution from its harmonics."""
         number = min(float(self.seen), REMEMBERED)
         scatter = self.scatter * number / (number - 1.0)
         power = np.maximum(np.abs(self.mean) ** 2, 1e-300)
         mean = self.mean * np.maximum(0.0, 1.0 - SIGNIFICANT * scatter / number / power)
-        # Orders that change from turn to turn by more than chance: this turn's own.
-        own = 1.0 - self.chance / np.maximum(scatter, 1e-300)
-        own = np.where(scatter > OWN * self.chance, own, 0.0)
-        mean = mean + own * (harmonics - mean)
+        # Orders that change from turn to turn by more than chance: values of this turn.
+        varying = 1.0 - self.chance / np.maximum(scatter, 1e-300)
+        varying = np.where(scatter > VARYING * self.chance, varying, 0.0)
+        mean = mean + varying * (harmonics - mean)
         periodic, faster, pushed = (
             2.0 * np.real((mean * (1j * self.speed * _ORDERS) ** times) @ waves)
             for times in range(3)
         )
         line = np.polynomial.Polynomial.fit(time, angle - periodic, 1)
-        # Counts that recur at the same angles scatter too little, and are in the mean instead.
+        # Counts that recur at the same angles add to the mean instead of to the scatter.
         usual = max(self.chance, 1e-300)
         too_little = 1.0 - float(scatter[FITTED:].mean()) / usual
         repeated = float(np.mean((np.abs(self.mean) ** 2 - scatter / number)[FITTED:])) / usual
         again = max(0.0, min(too_little, repeated))
-        sure = np.abs(mean) > 0.0
+        significant = np.abs(mean) > 0.0
         weights = 2.0 * (self.speed * _ORDERS) ** 4.0
         each = weights * scatter / number
         chance = weights * self.chance
-        weak = hidden_power(weights * np.abs(self.mean) ** 2 - each, each, ~sure)
-        follows = own > 0.0
-        free = hidden_power(weights * scatter - chance, chance / np.sqrt(number - 1.0), ~follows)
-        lasting = np.where(sure & ~follows, each, 0.0) + weak
-        pushing = np.where(follows, own * chance, free) + lasting
+        weak = hidden_power(weights * np.abs(self.mean) ** 2 - each, each, ~significant)
+        resolved = varying > 0.0
+        free = hidden_power(weights * scatter - chance, chance / np.sqrt(number - 1.0), ~resolved)
+        lasting = np.where(significant & ~resolved, each, 0.0) + weak
+        pushing = np.where(resolved, varying * chance, free) + lasting
         turning = pushing / (self.speed * _ORDERS) ** 2.0
         hidden = [float(np.sqrt(powers.sum())) for powers in (turning, pushing)]
         return KnownMotion(
@@ -157,38 +157,38 @@ class RecurrentMotion:
 def hidden_power(powers: Array, doubts: Array, which: NDArray[np.bool_] | None = None) -> Array:
     """Return upper bounds of the acceleration's powers by order (HIGHEST_ORDER,), (rad/s^2)^2.
 
-    powers: estimated, with their standard deviations; which: selected orders, 0 for the others.
-    Above FITTED no order has more than the others there: a jerk within no time has as much
-    in each, any smoother motion less in higher ones. So the lower of them, which counts resolve
-    better by the fourth power of the order, bound the higher; visible power of these is added.
+    powers: estimates, doubts: their standard deviations; which: selected orders, others give 0.
+    The spectrum does not rise above FITTED: that of an instantaneous jerk is flat, that of any
+    smoother motion falls. So the lower orders, which counts resolve better by the fourth power of
+    the order, bound the higher ones; detected power of these is added.
     """
     selected = np.ones(powers.size, dtype=np.bool_) if which is None else which
     hidden = np.zeros(powers.size)
     for part in (selected & (_ORDERS <= FITTED), selected & (_ORDERS > FITTED)):
-        some, doubt = powers[part], doubts[part]
-        if not some.size:
+        power, doubt = powers[part], doubts[part]
+        if not power.size:
             continue
-        most = max(float(some.sum()), 0.0) + float(np.sqrt(doubt @ doubt))
+        most = max(float(power.sum()), 0.0) + float(np.sqrt(doubt @ doubt))
         if part[FITTED:].any():
             weight = np.maximum(doubt, 1e-300) ** -2.0
             level = (
-                max(float(weight @ some) / float(weight.sum()), 0.0) + float(weight.sum()) ** -0.5
+                max(float(weight @ power) / float(weight.sum()), 0.0) + float(weight.sum()) ** -0.5
             )
-            seen = float(some.sum()) - SEEN * float(np.sqrt(doubt @ doubt))
-            most = min(most, max(level * some.size, seen))
-        hidden[part] = most / some.size
+            detected = float(power.sum()) - DETECTED * float(np.sqrt(doubt @ doubt))
+            most = min(most, max(level * power.size, detected))
+        hidden[part] = most / power.size
     return hidden
 
 
 def _harmonics(time: Array, angle: Array, waves: ComplexArray) -> ComplexArray:
-    """Return the amplitudes of the turn's orders (HIGHEST_ORDER,), rad, beside a steady turn."""
+    """Return the amplitudes of the orders (HIGHEST_ORDER,), rad, fitted with a constant speed."""
     low = waves[:FITTED]
     design = np.concatenate([[np.ones(len(time)), time / np.ptp(time)], low.real, low.imag])
     values = np.linalg.solve(design @ design.T, design @ angle)
-    left = angle - values @ design
+    residual = angle - values @ design
     cosines, sines = values[2 : 2 + FITTED], values[2 + FITTED :]
     return np.concatenate(
-        [0.5 * (cosines - 1j * sines), np.conj(waves[FITTED:]) @ left / len(left)]
+        [0.5 * (cosines - 1j * sines), np.conj(waves[FITTED:]) @ residual / len(residual)]
     )
 
 

@@ -1,7 +1,7 @@
 """The contact laws in one table, and their restitution.
 
-A new law is one row here, and where it is elastic in its own way a curve in
-``rigapp_model.contact.indentation``. Nothing is imported here: a command line's help reads them.
+A new law is one row here and, if its elastic force is new, a curve in
+``rigapp_model.contact.indentation``. Imports no numerical library: the command line's help uses it.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from rigapp_model.errors import ModelError, require_positive
 
 LEAST_RESTITUTION = 0.01
 NEARLY_ELASTIC = 0.999
-"""Above, Lankarani and Nikravesh's damping is exact to 1e-6 of the restitution."""
+"""Above it, Lankarani and Nikravesh's damping is exact to 1e-6 of the restitution."""
 MISSED = 0.02
-"""A larger error of the restitution is reported: that of a rig is not known better."""
+"""Error of the restitution from which it is reported; the restitution of a rig is as uncertain."""
 
 
 @dataclass(frozen=True, slots=True)
 class ContactLaw:
-    """One law of the normal force, F = elastic(d) (1 + a d'/d0').
+    """Law of the normal force, F = elastic(d) (1 + a d'/d0').
 
-    name: in files; sentence: what it is; elastic: "elements", "pereira", "liu" or "sphere";
-    damping: the factor a for a restitution.
+    name: in files; sentence: description; elastic: "elements", "pereira", "liu" or "sphere";
+    damping: function from restitution to the factor a.
     """
 
     name: str
@@ -35,24 +35,24 @@ class ContactLaw:
 
 
 def exact_damping(restitution: float) -> float:
-    """Return the factor a that gives a restitution e back: a (1 + e) = ln((1 + a)/(1 - a e)).
+    """Return the factor a for a restitution e: the root of a (1 + e) = ln((1 + a)/(1 - a e)).
 
-    The loss of an impact by F = f(d) (1 + a d'/d0') depends on a alone, whatever f is: integrate
-    v dv / (1 + a v/d0') = -f dd / m from touch to rest and from rest to parting (Gonthier and
-    others, 2004). 0 at e = 1.
+    The loss of an impact with F = f(d) (1 + a d'/d0') depends on a alone, for any f: integrate
+    v dv / (1 + a v/d0') = -f dd / m from first contact to rest and from rest to separation
+    (Gonthier and others, 2004). 0 at e = 1.
     """
     if restitution > NEARLY_ELASTIC:
         return lankarani_damping(restitution)
 
-    def taken(factor: float) -> float:
+    def remainder(factor: float) -> float:
         return 1.0 - factor * restitution - (1.0 + factor) * math.exp(-factor * (1.0 + restitution))
 
-    # Also 0 without damping; between there and the root it is above.
-    return _root(taken, 0.5 * (1.0 - restitution), 1.0 / restitution)
+    # Also 0 without damping; positive between there and the root.
+    return _root(remainder, 0.5 * (1.0 - restitution), 1.0 / restitution)
 
 
 def restitution_of(damping: float) -> float:
-    """Return the restitution that a damping factor gives: ``exact_damping`` the other way round."""
+    """Return the restitution of a damping factor, the inverse of ``exact_damping``."""
     if damping < lankarani_damping(NEARLY_ELASTIC):
         return math.sqrt(1.0 - damping / 0.75)
     lost = damping - math.log1p(damping)
@@ -60,7 +60,7 @@ def restitution_of(damping: float) -> float:
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return the root of a falling function, by bisection."""
+    """Return the root of a decreasing function by bisection."""
     for _ in range(60):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if function(middle) > 0.0 else (low, middle)
@@ -68,7 +68,7 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
 
 
 def lankarani_damping(restitution: float) -> float:
-    """Return 3 (1 - e^2)/4 (Lankarani and Nikravesh, 1990): for e near 1."""
+    """Return 3 (1 - e^2)/4 (Lankarani and Nikravesh, 1990), for e near 1."""
     return 0.75 * (1.0 - restitution**2)
 
 
@@ -117,7 +117,7 @@ CONTACT_LAWS = {
 
 
 def check_law(law: str, restitution: float) -> None:
-    """Raise ModelError for a law that does not exist or a restitution out of range."""
+    """Raise ModelError for an unknown law or a restitution out of range."""
     if law not in CONTACT_LAWS:
         raise ModelError("contact_law", law, say("choose {}", joined(", ", tuple(CONTACT_LAWS))))
     require_positive("restitution", restitution)

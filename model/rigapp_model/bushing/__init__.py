@@ -1,1 +1,1 @@
-"""The bushing as an elastic body: sector mesh, surface compliance, contact with the rigid pin."""
+"""Elastic bushing: sector mesh, surface compliance, contact with the rigid pin."""

@@ -1,4 +1,4 @@
-"""The compiled part of the contact: active set, Cholesky, Schur system for the pin.
+"""Compiled kernels of the contact: active set, Cholesky, Schur system for the pin.
 
 ``frame`` (N, 4) holds for each surface node the unit normal from the pin centre, in global
 components and in radial and tangential components at the node's own angle on the ring.
@@ -15,12 +15,12 @@ CARRIED = 0
 NOT_SETTLED = 1
 ONE_SIDED = 2
 
-_LIMIT = 200  # bounds the single changes that come after _PATIENCE
-_SAFE = 0.3  # of the determinant without turning: with less the step leaves its linearisation
-_SINGULAR = 1e-15  # of the squared trace: a stiffness in one direction only
-_CLOSED = 1e-6  # of the largest gap: less is neither open nor pressed in
-_BALANCED = 1e-6  # of the force, which the pressures carry but for this part
-_LONGEST_STEP = 0.1  # of the pin's radius: farther the nodes meet another part of its surface
+_LIMIT = 200  # iterations; bounds the changes of single nodes after _PATIENCE
+_SAFE = 0.3  # of the determinant without turning; with less the linearisation is not valid
+_SINGULAR = 1e-15  # of the squared trace: stiffness in one direction only
+_CLOSED = 1e-6  # of the largest gap: tolerance of gaps and overlaps
+_BALANCED = 1e-6  # of the force: tolerance of its balance with the pressures
+_LONGEST_STEP = 0.1  # of the pin's radius; a longer one moves nodes to other parts of its surface
 _STILL = 1e-12  # of the pin's radius: rounding of a position
 # Iterations after which the set changes one node at a time, which cannot cycle.
 _PATIENCE = 30
@@ -32,7 +32,7 @@ _PATIENCE = 30
     error_model="numpy",
 )
 def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-untyped-def]
-    """Fill the frame and the rigid gap of every node for a pin centre."""
+    """Fill the frame and the rigid gap of each node for a pin centre."""
     for i in range(surface.shape[0]):
         x = surface[i, 0] - pin[0]
         y = surface[i, 1] - pin[1]
@@ -53,7 +53,7 @@ def place_pin(surface, axis, pin_radius, pin, frame, gap):  # type: ignore[no-un
     inline="always",
 )
 def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
-    """Return the normal displacement at node i by a unit normal force at node j."""
+    """Return the normal displacement at node i per unit normal force at node j."""
     return frame[i, 2] * (polar[0, i, j] * frame[j, 2] + polar[1, i, j] * frame[j, 3]) + (
         frame[i, 3] * (polar[2, i, j] * frame[j, 2] + polar[3, i, j] * frame[j, 3])
     )
@@ -67,7 +67,7 @@ def normal_compliance(polar, frame, i, j):  # type: ignore[no-untyped-def]
 def assemble(polar, frame, nodes, count, a):  # type: ignore[no-untyped-def]
     """Fill the upper triangle of a[:count, :count] with the normal compliance between nodes.
 
-    Nodes that follow each other, as a rule, are taken by slices, several at once.
+    Consecutive nodes, the usual case, are processed as slices, which the compiler vectorises.
     """
     radial, tangential = np.empty(count), np.empty(count)
     for p in range(count):
@@ -94,17 +94,17 @@ def assemble(polar, frame, nodes, count, a):  # type: ignore[no-untyped-def]
     error_model="numpy",
 )
 def displace(polar, frame, pressed, nodes, count, reach, gap):  # type: ignore[no-untyped-def]
-    """Add to the gap of nodes its normal displacement by the pressed nodes.
+    """Add to the gap the normal displacement by the pressed nodes.
 
-    From the first to the last node whose gap is within reach; the others cannot come to touch.
-    Reciprocity turns columns into rows, so that the inner loop runs along the memory.
+    Only from the first to the last node with a gap within reach; the others cannot touch.
+    Rows are used for columns (reciprocity), so that the inner loop is contiguous in memory.
     """
     low, high = 0, gap.size
     while low < high and gap[low] > reach:
         low += 1
     while high > low and gap[high - 1] > reach:
         high -= 1
-    # Slices, loops from 0 and one sum in each: so the compiler takes several nodes at once.
+    # Slices, loops from 0 and one sum in each: the form that the compiler vectorises.
     radial = np.zeros(high - low)
     tangential = np.zeros(high - low)
     for p in range(count):
@@ -123,7 +123,7 @@ def displace(polar, frame, pressed, nodes, count, reach, gap):  # type: ignore[n
 
 @njit("int64(boolean[::1], float64[::1], int64[::1])", cache=True, error_model="numpy")
 def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
-    """List the touching nodes, the nearest ones made touching if there are fewer than two."""
+    """List the touching nodes; if fewer than two, mark the nearest ones as touching."""
     count = 0
     for i in range(touching.size):
         if touching[i]:
@@ -146,11 +146,11 @@ def list_touching(touching, gap, nodes):  # type: ignore[no-untyped-def]
     error_model="numpy",
 )
 def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-untyped-def]
-    """Drop nodes that pull, add those that overlap; return the number of broken conditions.
+    """Remove nodes in tension, add overlapping ones; return the number of violated conditions.
 
-    left: the gap after displacement; reach: the largest displacement; slack: what is not yet
-    counted, as a part of the largest force or of the reach; single: change only the node that
-    breaks its condition worst.
+    left: gap after displacement; reach: largest displacement; slack: tolerance of the count, as a
+    fraction of the largest force or of the reach; single: change only the node with the largest
+    violation.
     """
     largest = pressed.max()
     broken = 0
@@ -179,10 +179,10 @@ def revise(left, touching, pressed, reach, slack, single):  # type: ignore[no-un
     error_model="numpy",
 )
 def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: ignore[no-untyped-def]
-    """Return the stiffness by the turning of the forces when the pin moves, (2, 2), N/m per metre.
+    """Return the stiffness by rotation of the forces when the pin moves, (2, 2), N/m per metre.
 
-    A normal turns by the pin's tangential move over its distance; without this term the pin
-    converges sideways only slowly.
+    A normal rotates by the pin's tangential move over its distance; without this term the lateral
+    position of the pin converges slowly.
     """
     turning = np.zeros((2, 2))
     for p in range(count):
@@ -196,9 +196,9 @@ def turning_stiffness(frame, gap, pressed, nodes, count, pin_radius):  # type: i
 
 @njit("float64[::1](float64[:,::1], float64[:,::1], float64[::1])", cache=True, error_model="numpy")
 def pin_move(stiffness, turning, pull):  # type: ignore[no-untyped-def]
-    """Solve for the pin's move, (2,); without the turning where that would be unstable.
+    """Solve for the pin's move, (2,); with less or no rotation term where it is unstable.
 
-    Not a number when the stiffness is singular: all normals are then the same.
+    NaN if the stiffness is singular: all normals are then parallel.
     """
     move = np.empty(2)
     trace = stiffness[0, 0] + stiffness[1, 1]
@@ -246,11 +246,11 @@ def verdict(force, touching, pressed, gap, frame, reach):  # type: ignore[no-unt
 def solve(  # type: ignore[no-untyped-def]
     surface, axis, polar, extra, pin_radius, force, pin, touching, pressed, gap, frame
 ):
-    """Solve one contact; pin, touching, pressed, gap and frame are changed in place.
+    """Solve one contact; updates pin, touching, pressed, gap and frame in place.
 
     Returns the status and the number of iterations. Each iteration solves gap = 0 on the touching
-    nodes together with the balance of forces, linear in the pin's move, then revises the set. It
-    ends when set and pin stay. ``gap`` is then the rest after elastic displacement.
+    nodes and the balance of forces, linearised in the pin's move, then revises the set, until set
+    and pin no longer change. ``gap`` is then the gap after elastic displacement.
     """
     n = surface.shape[0]
     nodes = np.empty(n, dtype=np.int64)

@@ -1,4 +1,4 @@
-"""The displacement of every node of the bushing's inner surface by a unit force on it."""
+"""Compliance of the bushing's inner surface: nodal displacements per unit nodal force."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class SurfaceCompliance:
-    """The compliance between some surface nodes, in polar components, per metre of width.
+    """Compliance between selected surface nodes, in polar components, per metre of width.
 
-    ``nodes``: their numbers round the ring, (N,); ``axis``: unit vectors (N, 2), the radial
+    ``nodes``: their indices on the ring, (N,); ``axis``: unit vectors (N, 2) in the radial
     direction of each node; ``polar``: (4, N, N), m^2/N, radial by radial, radial by tangential,
     tangential by radial, tangential by tangential: entry [1, i, j] is the radial displacement at
-    i by a tangential unit force at j. ``ends``: positions in ``nodes`` whose neighbour on the ring
-    is not among them.
+    i per tangential unit force at j. ``ends``: positions in ``nodes`` whose neighbour on the ring
+    is not selected.
     """
 
     nodes: NDArray[np.int64]
@@ -33,13 +33,13 @@ class SurfaceCompliance:
 def surface_angles(sectors: int) -> Array:
     """Return the polar angles of the 2 x sectors surface nodes, rad, from -pi; 0 is a node.
 
-    With an even number of sectors the node at 0 is an element's corner.
+    With an even number of sectors, the node at 0 is a corner node.
     """
     return np.pi * (np.arange(2 * sectors) - sectors) / sectors
 
 
 def arc_ends(nodes: NDArray[np.int64], around: int) -> NDArray[np.int64]:
-    """Return the positions in ``nodes`` that have a ring neighbour which is not among them."""
+    """Return the positions in ``nodes`` whose neighbour on the ring is not in ``nodes``."""
     inside = np.isin(np.stack([nodes - 1, nodes + 1]) % around, nodes)
     return np.flatnonzero(~inside.all(axis=0))
 
@@ -53,7 +53,7 @@ def circular_compliance(
     mesh: SectorMesh | None = None,
     nodes: NDArray[np.int64] | None = None,
 ) -> SurfaceCompliance:
-    """Gather the compliance of a circular bushing between the given surface nodes (all if None).
+    """Return the compliance of a circular bushing between surface nodes (all if None).
 
     Lengths in m, the modulus in Pa. Raises ModelError for impossible radii or materials.
     """
@@ -63,14 +63,14 @@ def circular_compliance(
     if nodes is None:
         nodes = np.arange(2 * sectors)
     angle = surface_angles(sectors)[nodes]
-    # Node 0 of the numbering is at -pi, a sector's line for every number of sectors.
+    # Node 0 is at -pi, which is a sector boundary for any number of sectors.
     sector, side = nodes // 2, nodes % 2
-    apart = (sector[:, None] - sector[None, :]) % sectors
+    distance = (sector[:, None] - sector[None, :]) % sectors
     polar = np.empty((4, len(nodes), len(nodes)))
     i, j = side[:, None], side[None, :]
-    polar[0] = kernel[i, 0, j, 0, apart]
-    polar[1] = kernel[i, 0, j, 1, apart]
+    polar[0] = kernel[i, 0, j, 0, distance]
+    polar[1] = kernel[i, 0, j, 1, distance]
     polar[2] = polar[1].T
-    polar[3] = kernel[i, 1, j, 1, apart]
+    polar[3] = kernel[i, 1, j, 1, distance]
     axis = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     return SurfaceCompliance(nodes, axis, polar, arc_ends(nodes, 2 * sectors))

@@ -1,4 +1,4 @@
-"""The rigid pin in the elastic bushing, without friction: touching nodes and their forces."""
+"""Frictionless contact of the rigid pin and the elastic bushing: touching nodes and forces."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from rigapp_model.errors import ModelError
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# A contact deeper than this part of the wall is far beyond linear elasticity.
+# Indentation over wall thickness beyond which linear elasticity does not hold.
 LARGEST_INDENTATION = 0.2
-# The pin's flanks, beyond this part of its radius, are nearly parallel to the force.
+# Fraction of the pin's radius beyond which its flanks are nearly parallel to the force.
 FLANK = 0.98
-# So is a pressure above this part of the modulus.
+# Pressure over modulus beyond which linear elasticity does not hold.
 LARGEST_STRAIN = 0.25
 
 
 class ContactError(ModelError):
-    """The contact cannot carry a load; the text says why."""
+    """The contact cannot carry the load; the message gives the reason."""
 
 
 class ArcTooSmall(ContactError):
@@ -33,10 +33,10 @@ class ArcTooSmall(ContactError):
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """One contact: the pin's position and the forces of the nodes.
+    """Solution of one contact: position of the pin and nodal forces.
 
-    ``pin``: the pin centre from the bushing's centre, (2,), m; ``force``: normal force of each
-    node per metre of width, (N,), N/m; ``frame``: unit normals (N, 4), outward, in x and y and
+    ``pin``: pin centre from the bushing's centre, (2,), m; ``force``: normal force of each
+    node per metre of width, (N,), N/m; ``frame``: outward unit normals (N, 4), in x and y and
     in radial and tangential components; ``gap``: between pin and surface after elastic
     displacement and wear, m; ``touching``: flags; ``iterations``: their number.
     """
@@ -59,10 +59,9 @@ def solve_contact(
     """Solve the contact of the pin with the surface under one force.
 
     surface: positions of the compliance's nodes, (N, 2), m; force: on the bushing by the pin per
-    metre of width, (2,), N/m; start: a contact to start from. Holds at the end, and is
-    verified: gap >= 0, force >= 0, force x gap = 0, sum of force x normal = the given force.
-    Raises ContactError when the surface given cannot carry the force, ArcTooSmall when more nodes
-    would touch than may.
+    metre of width, (2,), N/m; start: contact to start from. The result is verified:
+    gap >= 0, force >= 0, force x gap = 0, sum of force x normal = ``force``. Raises ContactError
+    if the surface cannot carry the force, ArcTooSmall if an end of the arc touches.
     """
     load = np.ascontiguousarray(force, dtype=np.float64)
     size = float(np.hypot(load[0], load[1]))
@@ -113,7 +112,7 @@ _BEYOND_ARC = say("the contact reaches beyond the arc of nodes that may touch; l
 def first_guess(
     surface: Array, compliance: SurfaceCompliance, pin_radius: float, force: Array
 ) -> tuple[Array, Flags]:
-    """Return a pin centre and touching flags to start from: a bed of springs under the force."""
+    """Return an initial pin centre and touching flags, from a Winkler foundation."""
     size = np.hypot(force[0], force[1])
     direction = force / size
     along = surface @ direction
@@ -122,21 +121,21 @@ def first_guess(
     touching = np.zeros(len(surface), dtype=np.bool_)
     if facing.size == 0:
         return np.zeros(2), touching
-    room = along[facing] - np.sqrt(pin_radius**2 - across2[facing])
-    order = np.sort(room)
+    gap = along[facing] - np.sqrt(pin_radius**2 - across2[facing])
+    gaps = np.sort(gap)
     stiffness = 0.3 / compliance.polar[0, facing, facing].mean()
-    carried = np.arange(1, order.size + 1) * order - np.cumsum(order)
+    carried = np.arange(1, gaps.size + 1) * gaps - np.cumsum(gaps)
     count = max(int(np.searchsorted(carried, size / stiffness)), 1)
-    touching[facing[room <= order[count - 1]]] = True
-    return (size / stiffness + order[:count].sum()) / count * direction, touching
+    touching[facing[gap <= gaps[count - 1]]] = True
+    return (size / stiffness + gaps[:count].sum()) / count * direction, touching
 
 
 def simpson_weights(surface: Array) -> Array:
     """Return the length of the closed surface at each node, m.
 
-    surface: positions of all nodes of the ring, (N, 2), corners first and then every second one.
-    Simpson's rule in each element on the polygon through its three nodes, so it is the current
-    arc length that counts. Pressure = force / weight.
+    surface: positions of all nodes of the ring, (N, 2), corner and middle nodes in turn. Simpson's
+    rule in each element, on the polygon through its three nodes: the current arc length. Pressure =
+    force / weight.
     """
     step = np.empty_like(surface)
     np.subtract(surface[1:], surface[:-1], out=step[:-1])
@@ -153,10 +152,10 @@ def simpson_weights(surface: Array) -> Array:
 def refuse_beyond_elasticity(
     force: float, indentation: float, wall: float, pressure: float, modulus: float
 ) -> None:
-    """Raise ContactError when the pin presses harder than linear elasticity allows.
+    """Raise ContactError where linear elasticity does not hold.
 
-    force: N/m; indentation: how deep the pin sinks in, m; wall: thickness of the bushing, m;
-    pressure: the largest, Pa; modulus: E / (1 - nu^2), Pa.
+    force: N/m; indentation: of the pin, m; wall: thickness of the bushing, m; pressure: maximum,
+    Pa; modulus: E / (1 - nu^2), Pa.
     """
     unit = say("N per metre of width")
     sinks = say("the pin would sink {:.3g} mm", indentation * 1000.0)

@@ -13,7 +13,7 @@ from rigapp_model.errors import ModelError, require_finite, require_positive
 Array = NDArray[np.float64]
 Plane = Literal["strain", "stress"]
 
-# Corners counter-clockwise from (-1, -1), then the mid-side nodes, each after its first corner.
+# Corners counter-clockwise from (-1, -1), then the mid-side nodes in the same order.
 NODES = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [0, -1], [1, 0], [0, 1], [-1, 0]], float)
 
 
@@ -55,32 +55,31 @@ def shape_gradients(xi: float, eta: float) -> Array:
 
 def _table(points: int) -> list[tuple[float, Array]]:
     """Return weight and shape gradients at each point of a Gauss rule."""
-    places, weights = np.polynomial.legendre.leggauss(points)
-    rule = list(zip(places, weights, strict=True))
+    points_1d, weights = np.polynomial.legendre.leggauss(points)
+    rule = list(zip(points_1d, weights, strict=True))
     return [(wx * wy, shape_gradients(x, y)) for x, wx in rule for y, wy in rule]
 
 
-# Above this ratio, full integration locks in plane strain.
+# Poisson's ratio above which full integration locks in plane strain.
 LOCKING_RATIO = 0.46
 _TABLES = {points: _table(points) for points in (2, 3)}
 
 
 def integration_points(poissons_ratio: float, plane: Plane = "strain") -> int:
-    """Return how many Gauss points a side suit the material: 3, or 2 where 3 would lock.
+    """Return the number of Gauss points per side: 3, or 2 where 3 would lock.
 
-    Nearly incompressible in plane strain, full integration gives pressures that alternate from
-    node to node (24 % at a ratio of 0.499); below LOCKING_RATIO it is the more accurate rule.
+    For nearly incompressible plane strain, full integration gives pressures that alternate from
+    node to node (24 % at a ratio of 0.499); below LOCKING_RATIO it is more accurate.
     """
     return 2 if plane == "strain" and poissons_ratio > LOCKING_RATIO else 3
 
 
 def stiffness(corners: Array, matrix: Array, points: int = 3) -> Array:
-    """Return the stiffness of many elements per metre of width, shape (elements, 16, 16).
+    """Return element stiffness matrices per metre of width, shape (elements, 16, 16).
 
     corners: node positions (elements, 8, 2), in the order of NODES; matrix: from elasticity().
-    Degrees of freedom: x and y of each node in turn. points: of the Gauss rule a side,
-    3 (full) or 2 (reduced).
-    Raises ModelError for an element that is folded over.
+    Degrees of freedom: x and y of each node in turn. points: Gauss points per side, 3 (full) or
+    2 (reduced). Raises ModelError for a folded element.
     """
     total = np.zeros((len(corners), 16, 16))
     strain = np.zeros((len(corners), 3, 16))

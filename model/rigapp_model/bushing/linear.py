@@ -1,7 +1,7 @@
 """Small dense linear algebra for compiled loops: inner loops run along rows.
 
-The rows are slices from the first element used on, and the loops count from 0: where a loop begins
-at a variable the compiler must expect negative indices, and takes one number at a time.
+The rows are slices from the first element used, and the loops count from 0: if a loop begins
+at a variable the compiler must allow for negative indices, and does not vectorise.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from rigapp_model.compiled import njit
 
 @njit("float64(float64[:,::1], int64)", cache=True, error_model="numpy")
 def factorise(a, n):  # type: ignore[no-untyped-def]
-    """Replace the upper triangle of a[:n, :n] by U with U^T U = a; return the least pivot.
+    """Replace the upper triangle of a[:n, :n] by U with U^T U = a; return the smallest pivot.
 
-    Only the upper triangle is read. A pivot that is not positive ends the work and is returned:
-    the matrix is not positive definite.
+    Only the upper triangle is read. Returns early with a pivot that is not positive: the matrix is
+    not positive definite.
     """
     least = np.inf
     for first in range(0, n, 4):
@@ -32,12 +32,12 @@ def factorise(a, n):  # type: ignore[no-untyped-def]
                 row[j] *= scale
             for i in range(k + 1, last):
                 ratio = a[k, i]
-                row, above = a[i, i:n], a[k, i:n]
+                row, factor_row = a[i, i:n], a[k, i:n]
                 for j in range(row.size):
-                    row[j] -= ratio * above[j]
+                    row[j] -= ratio * factor_row[j]
         if last - first < 4:
             break
-        # Four rows at a time, so that the rest of the matrix passes through the cache once.
+        # Four rows at a time: a quarter of the passes through the rest of the matrix.
         for i in range(last, n):
             r0, r1, r2, r3 = a[first, i], a[first + 1, i], a[first + 2, i], a[first + 3, i]
             row = a[i, i:n]
@@ -69,7 +69,7 @@ def substitute(factor, n, rhs, rows):  # type: ignore[no-untyped-def]
 def invert(factor, n, lower, inverse):  # type: ignore[no-untyped-def]
     """Fill the upper triangle of inverse[:n, :n] with (U^T U)^-1; lower is overwritten.
 
-    lower = U^-T row by row, then its transpose times itself; four rows at a time.
+    Computes lower = U^-T row by row, then lower^T lower, four rows at a time.
     """
     for i in range(n):
         for j in range(n):

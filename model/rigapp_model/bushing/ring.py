@@ -1,4 +1,4 @@
-"""The bushing as a clamped elastic ring with a pin in it: geometry, material, mesh, pressure."""
+"""The bushing as a clamped elastic ring around a pin: geometry, material, mesh, pressure."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ from rigapp_model.parameters import Joint, Material
 # Exact without friction when the plate is incompressible in plane strain (Poisson's ratio 1/2),
 # where its tangential displacements do not couple with the pressure; elsewhere a close estimate.
 # With b = tan(half-angle / 2): E' c / F = (1 - ln(1 + b^2) - 2 b^4) / (pi b^2 (1 + b^2)). Source:
-# A. Persson, On the stress distribution of cylindrical elastic bodies in contact (1964), for a pin
-# without compliance of its own: the plate's mean expansion then counts twice as much beside its
-# other displacements as between equal bodies.
+# A. Persson, On the stress distribution of cylindrical elastic bodies in contact (1964), for a
+# rigid pin: relative to the other displacements, the plate's mean expansion then counts twice as
+# much as between equal bodies.
 
 
 def persson_half_angle(force: float, clearance: float, modulus: float) -> float:
-    """Return the contact's half-angle, rad; at most about 72 degrees, for no clearance.
+    """Return the contact's half-angle, rad; at most about 72 degrees, without clearance.
 
     force: per metre of width, N/m; clearance: radial, m; modulus: plane strain, E / (1 - nu^2),
     Pa. Raises ModelError for numbers out of range.
@@ -59,11 +59,11 @@ def _ratio(square: float) -> float:
     return float((1.0 - np.log1p(square) - 2.0 * square**2) / (square * (1.0 + square)))
 
 
-# The bushing as a bed of springs (Winkler): simple, and off in early pressure.
+# The bushing as an elastic foundation (Winkler): simple, with an error of the early pressure.
 #
-# An alternative to the elastic ring where only the end of life counts: there geometry, not
-# elasticity, decides the pressure. Early pressure is 26 % low in the reference case, and differs
-# the more the narrower the contact is against the wall.
+# An alternative to the elastic ring if only the end of life matters: there geometry, not
+# elasticity, determines the pressure. Early pressure is 26 % low in the reference case; the error
+# grows the narrower the contact is relative to the wall.
 
 
 def winkler_half_angle(
@@ -83,11 +83,11 @@ def winkler_half_angle(
 def winkler_compliance(
     foundation: float, mesh: SectorMesh, weights: ArrayLike, nodes: NDArray[np.int64] | None = None
 ) -> SurfaceCompliance:
-    """Return the compliance of the bed of springs between surface nodes (all if None).
+    """Return the compliance of the elastic foundation between surface nodes (all if None).
 
-    foundation: its modulus, Pa/m. weights: the length of surface of each node,
-    (2 x sectors,), m. Tangentially the bed gives way like radially, so that the same springs act
-    along any normal.
+    foundation: its modulus, Pa/m. weights: length of surface per node, (2 x sectors,), m. The
+    tangential compliance equals the radial one, so that the foundation is the same along any
+    normal.
     """
     around = 2 * mesh.sectors
     if nodes is None:
@@ -105,10 +105,9 @@ Array = NDArray[np.float64]
 
 ContactModel = Literal["finite-element", "winkler"]
 
-# Most nodes of one contact problem: its matrices grow with the square.
-ARC_TURNS, ARC_RAD = 2.0, 0.05  # an arc so much wider than the contact that is expected
-MOST_NODES = 900
-# Numbers of sectors to choose from; few of them, so that meshes are met again.
+ARC_TURNS, ARC_RAD = 2.0, 0.05  # half arc of nodes: factor of, and addition to, the expected one
+MOST_NODES = 900  # of a contact problem: its matrices grow with the square
+# Numbers of sectors to choose from; few of them, so that meshes are reused.
 SECTORS = tuple(
     part * 2**power for power in range(9) for part in (60, 72, 90, 108) if part * 2**power <= 23040
 )
@@ -116,9 +115,9 @@ SECTORS = tuple(
 
 @dataclass(frozen=True, slots=True)
 class Ring:
-    """The radii of bushing and pin (m), and the bushing's material; the rim is fixed.
+    """Radii of bushing and pin (m), and the bushing's material; the rim is fixed.
 
-    ``contact``: whether the bushing gives way like an elastic body or like a bed of springs.
+    ``contact``: bushing as an elastic body (finite elements) or as an elastic foundation.
     """
 
     inner: float
@@ -158,7 +157,7 @@ class Ring:
 
     @property
     def foundation_modulus(self) -> float:
-        """Return pressure per displacement of the wall as a bed of springs, Pa/m."""
+        """Return pressure per displacement of the wall as an elastic foundation, Pa/m."""
         return foundation_modulus(self.youngs_modulus, self.poissons_ratio, self.wall, self.plane)
 
     def circle(self, sectors: int) -> Array:
@@ -169,7 +168,7 @@ class Ring:
     def half_angle(self, force: float) -> float:
         """Return an estimate of the unworn contact's half-angle for a force in N/m, rad.
 
-        Persson's, or that of the bed of springs.
+        Persson's, or that of the elastic foundation.
         """
         if self.contact == "winkler":
             return winkler_half_angle(
@@ -178,16 +177,16 @@ class Ring:
         return persson_half_angle(force, self.clearance, self.modulus)
 
     def indentation(self, surface: Array, pin: Array) -> float:
-        """Return how deep the pin sinks into a surface (N, 2), m."""
+        """Return the indentation of a surface (N, 2) by the pin, m."""
         distance = np.hypot(surface[:, 0] - pin[0], surface[:, 1] - pin[1])
         return self.pin_radius - float(distance.min())
 
     def compliance(self, mesh: SectorMesh, nodes: NDArray[np.int64]) -> SurfaceCompliance:
-        """Return the compliance between surface nodes; the newest few are kept."""
+        """Return the compliance between surface nodes; the latest few are cached."""
         return _compliance(self, mesh, nodes.tobytes())
 
     def mesh(self, sectors: int) -> SectorMesh:
-        """Return a mesh with the given number of sectors and layers suitable for the wall."""
+        """Return a mesh with this number of sectors and layers to suit the wall."""
         return suitable_mesh(sectors, self.inner, self.outer)
 
 
@@ -205,7 +204,7 @@ def ring_of(joint: Joint, material: Material, contact: ContactModel = "finite-el
 
 @lru_cache(maxsize=8)
 def _compliance(ring: Ring, mesh: SectorMesh, nodes: bytes) -> SurfaceCompliance:
-    """Gather a compliance; the nodes as bytes, which can be a key."""
+    """Compute and cache a compliance; nodes: as bytes, which are hashable."""
     chosen = np.frombuffer(nodes, dtype=np.int64)
     if ring.contact == "winkler":
         weights = simpson_weights(ring.circle(mesh.sectors))
@@ -222,7 +221,7 @@ def _compliance(ring: Ring, mesh: SectorMesh, nodes: bytes) -> SurfaceCompliance
 
 
 def sectors_at_least(wanted: float) -> int:
-    """Return the next number of sectors to choose from; the largest when more are wanted."""
+    """Return the next number in ``SECTORS``, or the largest if more are wanted."""
     return next((n for n in SECTORS if n >= wanted), SECTORS[-1])
 
 
@@ -233,7 +232,7 @@ def arc_nodes(sectors: int, directions: ArrayLike, half_angle: float) -> NDArray
     reach = min(half_angle / np.pi, 1.0) * sectors
     first = np.ceil(at - reach).astype(np.int64)
     last = np.minimum(np.floor(at + reach).astype(np.int64), first + count - 1)
-    # Arcs may pass the end of the numbering: they are counted on two rounds and these are added.
+    # Arcs may pass the end of the numbering: they are counted on two turns, which are then added.
     begin = first % count
     arcs = np.bincount(begin, minlength=2 * count + 1)
     arcs -= np.bincount(begin + last - first + 1, minlength=2 * count + 1)
@@ -243,9 +242,9 @@ def arc_nodes(sectors: int, directions: ArrayLike, half_angle: float) -> NDArray
 
 @dataclass(frozen=True, slots=True)
 class PressureDistribution:
-    """The pressure (Pa) over the angle (rad) from -pi, on all surface nodes.
+    """Pressure (Pa) over the angle (rad) from -pi, on all surface nodes.
 
-    ``pin``: the pin centre from the bushing's, (2,), m; ``half_angle``: of the contact, rad;
+    ``pin``: pin centre from that of the bushing, (2,), m; ``half_angle``: of the contact, rad;
     ``contact``: the solution on the nodes ``nodes``.
     """
 
@@ -265,23 +264,23 @@ def pressure_distribution(
     """Compute the pressure of the pin on the bushing.
 
     force: on the bushing by the pin, per metre of width, (2,), N/m; x is angle 0. sectors: of the
-    mesh; by default such that 40 nodes lie in half the contact. Raises ContactError when the
-    bushing cannot carry the force.
+    mesh; by default for 40 nodes in half the contact. Raises ContactError if the bushing cannot
+    carry the force.
     """
     load = np.asarray(force, dtype=np.float64)
     size = float(np.hypot(load[0], load[1]))
     if not (np.isfinite(size) and size > 0.0):
         raise ContactError("force", size, say("give a finite force above 0"), "N/m")
     if size > ring.modulus * ring.wall:
-        # More than the modulus over the whole wall: far beyond elasticity.
+        # A force per width above modulus times wall is far beyond linear elasticity.
         refuse_beyond_elasticity(size, size / ring.modulus, ring.wall, ring.modulus, ring.modulus)
     expected = ring.half_angle(size)
     if sectors is None:
         sectors = sectors_at_least(126.0 / expected)
     surface = ring.circle(sectors)
     half = min(ARC_TURNS * expected + ARC_RAD, np.pi)
-    room = 0.5 * np.pi * MOST_NODES / sectors
-    nodes = arc_nodes(sectors, np.arctan2(load[1], load[0]), min(half, room))
+    widest = 0.5 * np.pi * MOST_NODES / sectors
+    nodes = arc_nodes(sectors, np.arctan2(load[1], load[0]), min(half, widest))
     compliance = ring.compliance(ring.mesh(sectors), nodes)
     contact = solve_contact(compliance, surface[nodes], ring.pin_radius, load)
     pressure = np.zeros(2 * sectors)

@@ -1,10 +1,9 @@
-"""One sector of the ring, condensed to its inner surface, harmonic by harmonic.
+"""One sector of the ring, condensed to its inner surface for each harmonic.
 
-Every sector of a ring of equal sectors has the same stiffness, so the whole stiffness is block
-circulant: a discrete Fourier transform splits it into one small system a harmonic. In polar
-components, with the tangential ones turned by a quarter of the wave, these systems are real,
-because a sector is its own mirror image. Each is condensed layer by layer from the fixed rim to
-the inner surface.
+All sectors have the same stiffness, so the ring's stiffness matrix is block circulant: a discrete
+Fourier transform splits it into one small system per harmonic. In polar components, with the
+tangential ones shifted by a quarter wave, these systems are real, because a sector is its own
+mirror image. Each is condensed layer by layer from the fixed rim to the inner surface.
 """
 
 from __future__ import annotations
@@ -21,11 +20,11 @@ from rigapp_model.errors import ModelError
 
 Array = NDArray[np.float64]
 
-# Which of a layer's ten condensed degrees of freedom each node of its element belongs to:
-# outer line 0-1, outer mid 2-3, radial mid 4-5, inner line 6-7, inner mid 8-9.
 MOST_LAYERS = 24  # more change the surface's compliance by less than the sectors do
-SQUARE = 1.5  # sides of the innermost elements: longer and their pressure is wrong
-STEEPEST = 2.5  # from layer to layer: steeper and the elements are too unlike
+SQUARE = 1.5  # aspect ratio of the innermost elements; with a larger one their pressure is wrong
+STEEPEST = 2.5  # ratio of thickness of adjacent layers; with a larger one elements are too unequal
+# First of the layer's ten condensed degrees of freedom of each node of its element:
+# outer line 0-1, outer mid 2-3, radial mid 4-5, inner line 6-7, inner mid 8-9.
 _FOLD = np.array([6, 0, 0, 6, 4, 2, 4, 8])
 # Angle of each node of the element in half sectors.
 _TURN = np.array([0, 0, 2, 2, 0, 1, 2, 1])
@@ -33,9 +32,9 @@ _TURN = np.array([0, 0, 2, 2, 0, 1, 2, 1])
 
 @dataclass(frozen=True, slots=True)
 class SectorMesh:
-    """The mesh of the ring: equal sectors of graded layers of 8-node quadrilaterals.
+    """Mesh of the ring: equal sectors of graded layers of 8-node quadrilaterals.
 
-    ``sectors``: how many go round, two surface nodes each; ``layers``: elements from the inner
+    ``sectors``: their number, with two surface nodes each; ``layers``: elements from the inner
     surface to the rim; ``grading``: thickness of the outermost layer over the innermost.
     """
 
@@ -61,7 +60,7 @@ class SectorMesh:
 
 
 def suitable_mesh(sectors: int, inner: float, outer: float) -> SectorMesh:
-    """Return a mesh with the given number of sectors whose innermost elements are about square."""
+    """Return a mesh with this number of sectors and about square innermost elements."""
     square = 2.0 * np.pi * inner / sectors
     layers, thickness = 8, outer - inner
     while layers < MOST_LAYERS:
@@ -87,8 +86,8 @@ def surface_spectrum(
     """Compute the compliance kernel of the inner surface, shape (2, 2, 2, 2, sectors), m^2/N.
 
     Entry [i, a, j, b, k]: displacement component a (0 radial, 1 tangential) of surface node i
-    (0 on the sector's line, 1 in its middle), k sectors further on than a unit force per width
-    along b at node j. The rim is fixed. Raises ModelError for impossible radii or materials.
+    (0 on the sector's line, 1 in its middle), k sectors after a unit force per width along b at
+    node j. The rim is fixed. Raises ModelError for impossible radii or materials.
     """
     mesh = mesh or SectorMesh()
     n = mesh.sectors
@@ -129,7 +128,7 @@ _TURN_DOFS = np.ascontiguousarray(np.repeat(_TURN, 2))
 
 @njit("float64[:,:,::1](float64[:,:,::1], int64, int64)", cache=True)
 def _condense(layers, sectors, harmonics):  # type: ignore[no-untyped-def]
-    """Return the surface compliance of each harmonic, shape (harmonics, 4, 4), all real."""
+    """Return the surface compliance of each harmonic, shape (harmonics, 4, 4), real."""
     result = np.empty((harmonics, 4, 4))
     system = np.empty((10, 10))
     for m in range(harmonics):

@@ -1,8 +1,8 @@
 """Statistics over many revolutions of a chaotic motion.
 
-Where pin and bushing lose contact the motion is chaotic: one revolution is one sample. Means over
-many, with standard errors by batch means (Law, *Simulation modeling and analysis*, section 9.5),
-are what can be compared.
+Where pin and bushing lose contact the motion is chaotic, and a revolution is one sample. Means over
+many are comparable; their standard errors are those of batch means (Law, *Simulation modeling and
+analysis*, section 9.5).
 """
 
 from __future__ import annotations
@@ -21,21 +21,21 @@ from rigapp_model.errors import ModelError, OutOfTime
 Array = NDArray[np.float64]
 
 SETTLING = 5
-"""Revolutions before the first that counts."""
+"""Revolutions discarded at the start."""
 
-MOST_BATCHES = 20  # batch means need 10 to 30: fewer scatter, more are too short to be independent
+MOST_BATCHES = 20  # 10 to 30 are suitable: fewer scatter, more are too short to be independent
 
 
 @dataclass(frozen=True, slots=True)
 class Mean:
-    """A mean and its standard error, of the same shape; NaN from a single revolution."""
+    """Mean and standard error, of the same shape; the error of a single revolution is NaN."""
 
     value: Array
     standard_error: Array
 
 
 class BatchMeans:
-    """Gather samples of one shape into at most 20 batches of equal size, in a bounded memory."""
+    """Sums of samples of one shape in at most 20 batches of equal size, in bounded memory."""
 
     def __init__(self) -> None:
         self._sums: list[Array] = []
@@ -44,7 +44,7 @@ class BatchMeans:
         self._in_open = 0
 
     def add(self, sample: ArrayLike) -> None:
-        """Take one more sample."""
+        """Add a sample."""
         value = np.asarray(sample, dtype=np.float64)
         self._open = value.copy() if self._open is None else self._open + value
         self._in_open += 1
@@ -57,7 +57,7 @@ class BatchMeans:
             self._size *= 2
 
     def result(self) -> Mean:
-        """Return the mean of all samples; its error from the batches that are full."""
+        """Return the mean of all samples; its error from the complete batches."""
         total = sum(self._sums, np.zeros(()) if self._open is None else self._open)
         count = self._size * len(self._sums) + self._in_open
         batches = len(self._sums)
@@ -69,14 +69,14 @@ class BatchMeans:
 
 @dataclass(frozen=True, slots=True)
 class Ensemble:
-    """Means over ``revolutions`` and one of them as a sample.
+    """Means over ``revolutions``, with the first of them as a sample.
 
     At each crank angle of the sample, shapes as in its motion: ``force``, ``force_crank``,
     ``force_follower`` (2, n), ``force_magnitude`` (n,), N; ``drive_torque`` (n,), N m;
-    ``touching`` (n,): the part of revolutions in contact. Of whole revolutions: ``mean_force``, N,
-    normal force times sliding distance over the pin's circumference; ``slip``, m, the distance slid
-    in contact; ``greatest_force``, N, between the samples too; ``contact_fraction``; ``impacts``.
-    ``peaks`` (N, sorted) are the greatest forces of all impacts of all revolutions.
+    ``touching`` (n,): fraction of revolutions in contact. Per revolution: ``mean_force``, N,
+    normal force times sliding distance over the pin's circumference; ``slip``, m, sliding distance
+    in contact; ``greatest_force``, N, also between the samples; ``contact_fraction``; ``impacts``.
+    ``peaks`` (N, sorted) are the peak forces of all impacts of all revolutions.
     """
 
     revolutions: int
@@ -100,9 +100,9 @@ def revolutions_of(
     points: int,
     alive: Callable[[], None] = lambda: None,
 ) -> Iterator[ContactCycle]:
-    """Yield one revolution after another, for ever, from a start in contact and some to settle.
+    """Yield consecutive revolutions without end, after a start in contact and ``SETTLING`` ones.
 
-    alive: called now and then, and may raise.
+    alive: called between steps; may raise.
     """
     cycle = contact_cycle(
         system, points, settling_revolutions=SETTLING, progress=lambda part: alive()
@@ -124,35 +124,35 @@ def ensemble(
     points: int = 360,
     progress: Callable[[float], None] = lambda part: None,
 ) -> Ensemble:
-    """Run a number of revolutions after the settling ones and return their means.
+    """Simulate ``revolutions`` after the settling ones and return their means.
 
-    progress: called with the part done; when it raises OutOfTime the ensemble so far is returned,
-    or OutOfTime raised when it is empty. Raises ModelError as ``contact_cycle`` does.
+    progress: called with the fraction done; if it raises OutOfTime, the means so far are returned,
+    or OutOfTime is raised before the first. Raises ModelError as ``contact_cycle`` does.
     """
     if revolutions < 1:
         raise ModelError("revolutions", revolutions, say("give at least 1"))
     means = {name: BatchMeans() for name in Ensemble.__dataclass_fields__ if name not in _NO_MEANS}
-    taken: list[ContactCycle] = []
+    samples: list[ContactCycle] = []
     peaks: list[Array] = []
     done = 0
 
-    def alive() -> None:
+    def check_time() -> None:
         progress(done / revolutions)
 
     try:
-        for cycle in revolutions_of(system, points, alive):
+        for cycle in revolutions_of(system, points, check_time):
             for name, value in _quantities(system, cycle).items():
                 means[name].add(value)
             peaks.append(cycle.impacts.peak)
-            taken, done = [cycle], done + 1
+            samples, done = [cycle], done + 1
             if done == revolutions:
                 break
     except OutOfTime:
-        if not taken:
+        if not samples:
             raise
     results = {name: mean.result() for name, mean in means.items()}
     return Ensemble(
-        revolutions=done, sample=taken[0], peaks=np.sort(np.concatenate(peaks)), **results
+        revolutions=done, sample=samples[0], peaks=np.sort(np.concatenate(peaks)), **results
     )
 
 

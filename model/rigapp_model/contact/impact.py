@@ -1,4 +1,4 @@
-"""Technique 3, non-continuous contact: pin and bushing as separate bodies.
+"""Technique 3, contact that may be lost: pin and bushing as separate bodies.
 
 The crank turns at a prescribed constant speed; slider and follower move freely under spring,
 gravity and the contact force in the joint with clearance.
@@ -23,35 +23,35 @@ from rigapp_model.frames import into_frame
 
 Array = NDArray[np.float64]
 
-MOST_STEPS = 20_000_000  # ends a motion without a suitable step, in minutes
-MOST_SWINGS = 3_000_000  # about as many steps: a minute or two
-MOST_IMPACTS = 100_000  # 800 revolutions at 120 impacts: as many as one call may want
-CONTINUOUS = 1e-12  # of a cycle: a shorter flight is rounding of the times of contact
+MOST_STEPS = 20_000_000  # ends an integration that does not advance, after minutes
+MOST_SWINGS = 3_000_000  # oscillations of the contact; about as many steps: a minute or two
+MOST_IMPACTS = 100_000  # 800 revolutions with 120 impacts each
+CONTINUOUS = 1e-12  # of a cycle: a shorter loss of contact is rounding
 STEPS_AT_ONCE = 20_000
 """Steps between two calls of ``progress``, which may stop the integration."""
 
-# A longer step could miss a touch, or a rise and fall within one contact.
+# Longest steps; longer ones could miss an impact, or a peak within one contact.
 LONGEST_FLIGHT_TURN, LONGEST_FLIGHT_S = float(np.deg2rad(1.0)), 1e-3
 LONGEST_CONTACT_TURN, LONGEST_CONTACT_S = float(np.deg2rad(5.0)), 1e-2
 SHORTEST_PART = 1e-17
-"""No step is so small a part of the time integrated over."""
+"""Smallest step, as a fraction of the integrated time."""
 
 FINER = 1e-2
-"""Of a tolerance: the finer one that measures its error."""
+"""Factor from a tolerance to the finer one that measures its error."""
 
 ROUNDING = 2e-16
-"""Least tolerance as a part of the mechanism's size: the resolution of double precision."""
+"""Least tolerance as a fraction of the mechanism's size: the resolution of double precision."""
 
 FIRST_CONTACT_PART = 0.1
-"""First step of a contact as a part of the time in which a contact swings."""
+"""First step of a contact as a fraction of its time constant (1 / angular frequency)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Impacts:
-    """Every beginning of a contact: time (s), crank angle (rad), normal speed (m/s).
+    """Start of each contact: time (s), crank angle (rad), normal speed (m/s).
 
-    ``peak`` (N) is the greatest force of the contact that began, found between the samples too; of
-    one that has not ended, up to the last sample.
+    ``peak`` (N) is the greatest force of that contact, also between the samples; if it lasts beyond
+    the end, until the end.
     """
 
     time: Array
@@ -65,20 +65,19 @@ class Impacts:
 
 @dataclass(frozen=True, slots=True)
 class ContactCycle:
-    """Motion and contact at every sample, and integrals between them.
+    """Motion and contact at each sample, and integrals between samples.
 
     ``motion`` as for the other techniques; its force is that of the pin on the follower.
-    ``penetration`` (m) is negative in flight: the gap. ``contact_angle`` (rad) is where the pin is
-    nearest to the bushing, in the follower frame from the point towards the crank. ``normal_force``
-    (N) acts in the clearance joint. ``contact_fraction`` is the part of the recorded time in
-    contact, exact between the samples. ``final_state`` is that at the last sample.
+    ``penetration`` (m) is negative in flight: the gap. ``contact_angle`` (rad) is the point of the
+    bushing nearest to the pin, in the follower frame from the point towards the crank.
+    ``normal_force`` (N) acts in the clearance joint. ``contact_fraction`` is the fraction of the
+    recorded time in contact, exact between the samples. ``final_state``: at the last sample.
 
-    ``sliding`` (m/s) is the speed at which the pin's surface slides on the bushing's where they
-    touch, as friction takes it; 0 in flight. Between one of the times and the next, (m,): ``slip``
-    (m), the distance slid in contact; ``work`` (J), normal force times slip; ``pressed`` (2, m), J,
-    the same with the direction in which the pin presses, from the bushing's centre towards the
-    crank, and across. They are integrals over all steps. ``greatest_force`` (N) is that between the
-    samples too.
+    ``sliding`` (m/s) is the sliding speed of the pin's surface on the bushing's at the contact, as
+    used for friction; 0 in flight. From each time to the next, (m,), integrated over all steps:
+    ``slip`` (m), sliding distance in contact; ``work`` (J), normal force times slip; ``pressed``
+    (2, m), J, work times the direction of the pin's pressure, along (from the bushing's centre
+    towards the crank) and across. ``greatest_force`` (N): also between the samples.
     """
 
     time: Array
@@ -99,7 +98,7 @@ class ContactCycle:
 
     @property
     def contact_is_continuous(self) -> bool:
-        """Return whether the pin never left the bushing."""
+        """Return whether contact is never lost."""
         return self.contact_fraction >= 1.0 - CONTINUOUS
 
 
@@ -111,11 +110,11 @@ def contact_cycle(
     start: ContactState | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> ContactCycle:
-    """Run the mechanism and record whole revolutions on ``points`` equal crank angles each.
+    """Simulate complete revolutions and sample each at ``points`` equal crank angles.
 
-    The first ``settling_revolutions`` are not recorded. start: None starts in contact (see
-    ``settled_state``); progress: called with the part done, may raise. Raises ModelError at
-    standstill or when the integration fails.
+    The first ``settling_revolutions`` are not sampled. start: by default in contact (see
+    ``settled_state``); progress: called with the fraction done, may raise. Raises ModelError for
+    a speed of 0 or if the integration fails.
     """
     if points < 1 or revolutions < 1 or settling_revolutions < 0:
         raise ModelError(
@@ -139,10 +138,10 @@ def numerical_noise(
     points: int,
     progress: Callable[[float], None] | None = None,
 ) -> float:
-    """Return the error of the force of a cycle on ``points`` angles by the tolerance, N RMS.
+    """Return the numerical error of the force of a cycle with ``points`` angles, N RMS.
 
-    Compared with the same revolution at the default tolerance, or at a hundredth of a finer one.
-    NaN where that one loses contact: no two runs of a chaotic motion are alike.
+    By comparison with the same revolution at the default tolerance, or at a hundredth of that of
+    the cycle if that is less. NaN if it loses contact: a chaotic motion is not reproducible.
     """
     settings = system.contact
     finer = min(ContactModel().tolerance, FINER * settings.tolerance)
@@ -151,8 +150,8 @@ def numerical_noise(
     )
     if not fine.contact_is_continuous:
         return float("nan")
-    apart = cycle.motion.force - fine.motion.force
-    return float(np.sqrt(np.mean(np.sum(apart**2, axis=0))))
+    difference = cycle.motion.force - fine.motion.force
+    return float(np.sqrt(np.mean(np.sum(difference**2, axis=0))))
 
 
 def integrate_contact(
@@ -162,17 +161,17 @@ def integrate_contact(
     drop_last: bool = False,
     progress: Callable[[float], None] | None = None,
 ) -> ContactCycle:
-    """Integrate from time 0 and sample at ``times`` (s, increasing, from 0 on).
+    """Integrate from time 0 and sample at ``times`` (s, increasing, at least 0).
 
-    Contact is tallied and impacts are recorded from the first to the last of ``times``;
-    ``drop_last`` leaves the last one out of the samples (the end of a cycle is its beginning).
-    Raises ModelError when the step becomes too small or the steps too many.
+    Contact statistics and impacts are those from the first to the last of ``times``;
+    ``drop_last`` omits the last sample (the end of a cycle is its beginning). Raises ModelError if
+    a step is too small or there are too many.
     """
-    moments = np.ascontiguousarray(times, dtype=np.float64)
-    if moments.ndim != 1 or len(moments) < 2 or np.any(np.diff(moments) <= 0.0):
-        raise ModelError("times", moments.shape, say("give at least two increasing times"))
-    require_not_negative("times", float(moments[0]), "s")
-    require_positive("times", float(moments[-1]), "s")
+    times_s = np.ascontiguousarray(times, dtype=np.float64)
+    if times_s.ndim != 1 or len(times_s) < 2 or np.any(np.diff(times_s) <= 0.0):
+        raise ModelError("times", times_s.shape, say("give at least two increasing times"))
+    require_not_negative("times", float(times_s[0]), "s")
+    require_positive("times", float(times_s[-1]), "s")
     state = np.zeros(motion_of.STATE)
     state[: motion_of.COORDINATES] = (
         start.slider_position,
@@ -180,15 +179,18 @@ def integrate_contact(
         start.slider_velocity,
         start.follower_speed,
     )
-    kernel.refer(system.vector, 0.0, -1.0, state)
-    course = np.zeros(kernel.COURSE)
-    course[kernel.IN_TOUCH], course[kernel.BEGAN_AT] = float(start.touching), start.impact_speed
-    course[kernel.PRESENT] = -1.0
-    samples = np.empty((len(moments), kernel.SAMPLE))
+    kernel.add_reference(system.vector, 0.0, -1.0, state)
+    integrator = np.zeros(kernel.INTEGRATOR)
+    integrator[kernel.IN_TOUCH], integrator[kernel.IMPACT_SPEED_NOW] = (
+        float(start.touching),
+        start.impact_speed,
+    )
+    integrator[kernel.PRESENT] = -1.0
+    samples = np.empty((len(times_s), kernel.SAMPLE))
     impacts = np.empty((MOST_IMPACTS, kernel.IMPACT))
     tally = np.zeros(kernel.TALLY)
-    control = _control(system, moments)
-    course[kernel.NEXT_STEP] = control[kernel.FIRST_CONTACT]
+    control = _control(system, times_s)
+    integrator[kernel.NEXT_STEP] = control[kernel.FIRST_CONTACT]
     workspace = kernel.make_workspace()
     status = kernel.UNFINISHED
     while status == kernel.UNFINISHED and tally[kernel.STEPS] < MOST_STEPS:
@@ -197,9 +199,9 @@ def integrate_contact(
             system.table,
             system.options,
             state,
-            course,
+            integrator,
             control,
-            moments,
+            times_s,
             STEPS_AT_ONCE,
             samples,
             impacts,
@@ -207,28 +209,28 @@ def integrate_contact(
             workspace,
         )
         if progress is not None:
-            progress(float(course[kernel.TIME] / moments[-1]))
-    kernel.refer(system.vector, float(course[kernel.TIME]), 1.0, state)
-    _check(status, float(course[kernel.TIME]), state)
+            progress(float(integrator[kernel.TIME] / times_s[-1]))
+    kernel.add_reference(system.vector, float(integrator[kernel.TIME]), 1.0, state)
+    _check(status, float(integrator[kernel.TIME]), state)
     count = min(int(tally[kernel.IMPACTS]), MOST_IMPACTS)
     at = impacts[:count, kernel.IMPACT_TIME].copy()
-    kept = slice(0, len(moments) - 1 if drop_last else len(moments))
-    rows = np.ascontiguousarray(samples[kept].T)
-    motion = _motion(system, moments[kept], rows)
-    passed = np.diff(samples[:, motion_of.SLID : motion_of.STATE], axis=0).T
+    recorded = slice(0, len(times_s) - 1 if drop_last else len(times_s))
+    rows = np.ascontiguousarray(samples[recorded].T)
+    motion = _motion(system, times_s[recorded], rows)
+    integrals = np.diff(samples[:, motion_of.SLID : motion_of.STATE], axis=0).T
     return ContactCycle(
-        time=moments[kept],
+        time=times_s[recorded],
         motion=motion,
         touching=rows[kernel.TOUCHING] > 0.5,
         penetration=rows[kernel.DEPTH],
         contact_angle=_contact_angle(rows),
         normal_force=rows[kernel.NORMAL],
         sliding=rows[kernel.SLIDING],
-        slip=np.maximum(passed[0], 0.0),
-        work=np.maximum(passed[1], 0.0),
-        pressed=passed[2:],
+        slip=np.maximum(integrals[0], 0.0),
+        work=np.maximum(integrals[1], 0.0),
+        pressed=integrals[2:],
         greatest_force=max(float(tally[kernel.GREATEST]), float(motion.force_magnitude.max())),
-        contact_fraction=float(tally[kernel.TOUCH_TIME] / (moments[-1] - moments[0])),
+        contact_fraction=float(tally[kernel.TOUCH_TIME] / (times_s[-1] - times_s[0])),
         impacts=Impacts(
             time=at,
             angle=system.start_angle + system.speed * at,
@@ -240,15 +242,15 @@ def integrate_contact(
             follower_angle=float(state[motion_of.THETA]),
             slider_velocity=float(state[motion_of.X_RATE]),
             follower_speed=float(state[motion_of.THETA_RATE]),
-            touching=bool(course[kernel.IN_TOUCH] > 0.5),
-            impact_speed=float(course[kernel.BEGAN_AT]),
+            touching=bool(integrator[kernel.IN_TOUCH] > 0.5),
+            impact_speed=float(integrator[kernel.IMPACT_SPEED_NOW]),
         ),
         steps=int(tally[kernel.STEPS]),
     )
 
 
 def _check_duration(system: ClearanceSystem, duration: float) -> None:
-    """Refuse a crank so slow that the contact swings too often in the time (s) to integrate."""
+    """Raise ModelError if the contact oscillates too often in the duration (s): a slow crank."""
     depth, _, pace, _ = system.scales
     swings = duration * float(pace / depth) / (2.0 * np.pi)
     if swings > MOST_SWINGS:
@@ -268,8 +270,8 @@ def _check_duration(system: ClearanceSystem, duration: float) -> None:
         )
 
 
-def _control(system: ClearanceSystem, moments: Array) -> Array:
-    """Return the control of the steps; tolerances never below the rounding of positions."""
+def _control(system: ClearanceSystem, times_s: Array) -> Array:
+    """Return the step control; tolerances are not below the rounding of positions."""
     mechanism, settings = system.mechanism, system.contact
     depth, _, pace, _ = system.scales
     reach = mechanism.crank_radius + mechanism.follower_length
@@ -277,7 +279,7 @@ def _control(system: ClearanceSystem, moments: Array) -> Array:
     turn = abs(system.speed)
     control = np.empty(kernel.CONTROL)
     control[:4] = tolerance * system.scales
-    control[kernel.SHORTEST] = SHORTEST_PART * moments[-1]
+    control[kernel.SHORTEST] = SHORTEST_PART * times_s[-1]
     control[kernel.LONGEST_FLIGHT] = min(
         LONGEST_FLIGHT_S, LONGEST_FLIGHT_TURN / turn if turn else np.inf
     )
@@ -286,12 +288,12 @@ def _control(system: ClearanceSystem, moments: Array) -> Array:
     )
     control[kernel.FIRST_CONTACT] = FIRST_CONTACT_PART * depth / pace
     control[kernel.FLOOR] = settings.impact_speed_floor
-    control[kernel.TALLY_FROM] = moments[0]
+    control[kernel.TALLY_FROM] = times_s[0]
     return control
 
 
 def _check(status: int, time: float, state: Array) -> None:
-    """Raise ModelError when the integration did not reach its end."""
+    """Raise ModelError unless the integration reached its end."""
     if status == kernel.UNFINISHED:
         raise ModelError("steps", MOST_STEPS, say("too many by {:g} s; raise the tolerance", time))
     if status == kernel.STEP_TOO_SMALL or not np.isfinite(state).all():
@@ -303,14 +305,14 @@ def _check(status: int, time: float, state: Array) -> None:
 
 
 def _contact_angle(rows: Array) -> Array:
-    """Return the normal's direction in the follower frame from the point towards the crank."""
+    """Return the direction of the normal in the follower frame from the point towards the crank."""
     normal = np.arctan2(rows[kernel.NORMAL_Y], rows[kernel.NORMAL_X])
     turned = normal - rows[motion_of.THETA] - np.pi
     return np.asarray((turned + np.pi) % (2.0 * np.pi) - np.pi)
 
 
 def _motion(system: ClearanceSystem, times: Array, rows: Array) -> MechanismMotion:
-    """Return the samples as a motion, with the forces that the clearance joint does not give."""
+    """Return the motion at the samples, including the forces outside the clearance joint."""
     m = system.mechanism
     angle = system.start_angle + system.speed * times
     c1, s1 = np.cos(angle), np.sin(angle)
@@ -327,8 +329,8 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> MechanismMoti
     arm = half * np.array([c2, s2])
     arm_v = half * w2 * np.array([-s2, c2])
     arm_a = half * (al2 * np.array([-s2, c2]) - w2 * w2 * np.array([c2, s2]))
-    still = np.zeros_like(angle)
-    slider = [np.array([rows[i], still]) for i in (motion_of.X, motion_of.X_RATE, kernel.X_GROWTH)]
+    zeros = np.zeros_like(angle)
+    slider = [np.array([rows[i], zeros]) for i in (motion_of.X, motion_of.X_RATE, kernel.X_GROWTH)]
     at_crank = system.location == "crank"
     if at_crank:
         bodies = [slider[i] - (arm, arm_v, arm_a)[i] for i in range(3)]
@@ -336,15 +338,15 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> MechanismMoti
         bodies = [(pin, pin_v, pin_a)[i] + (arm, arm_v, arm_a)[i] for i in range(3)]
     gravity = np.array(m.gravity)[:, None]
     inertial = m.follower_mass * (bodies[2] - gravity)
-    held = rows[[kernel.FORCE_X, kernel.FORCE_Y]]
-    force = held if at_crank else inertial - held
-    wrist = held - inertial if at_crank else -held
-    moment = still
+    contact_force = rows[[kernel.FORCE_X, kernel.FORCE_Y]]
+    force = contact_force if at_crank else inertial - contact_force
+    wrist = contact_force - inertial if at_crank else -contact_force
+    moment = zeros
     if at_crank:
         bushing = slider[0] - 2.0 * arm
         dx, dy = pin - bushing
         moment = rows[kernel.MOMENT] - (dx * force[1] - dy * force[0])
-    spring = still
+    spring = zeros
     if m.spring is not None:
         spring = -m.spring.stiffness * (rows[motion_of.X] - m.spring.free_position)
     crank_a = 0.5 * pin_a
@@ -358,7 +360,7 @@ def _motion(system: ClearanceSystem, times: Array, rows: Array) -> MechanismMoti
     return MechanismMotion(
         angle=angle,
         speed=np.full_like(angle, w),
-        acceleration=still,
+        acceleration=zeros,
         follower_angle=rows[motion_of.THETA],
         follower_speed=w2,
         follower_acceleration=al2,

@@ -1,9 +1,9 @@
-"""Time integration of the slider-crank with a clearance joint, compiled, with impacts resolved.
+"""Compiled time integration of the slider-crank with a clearance joint and resolved impacts.
 
-Dormand and Prince's pair of order 8 with errors of orders 5 and 3 (Hairer, Norsett and Wanner,
-*Solving ordinary differential equations I*, section II.10; the coefficients are scipy's) adapts the
-step. A step that ends a flight or a contact is taken again, to the very moment, found on the
-interpolant of order 7; that interpolant gives the samples too.
+Adaptive steps by Dormand and Prince's method of order 8 with error estimates of orders 5 and 3
+(Hairer, Norsett and Wanner, *Solving ordinary differential equations I*, section II.10;
+coefficients from scipy). A step in which contact begins or ends is repeated up to that time, which
+is found on the interpolant of order 7. The samples are from the same interpolant.
 """
 
 from __future__ import annotations
@@ -43,42 +43,43 @@ DONE, UNFINISHED, STEP_TOO_SMALL = range(3)
 FORCE_X, FORCE_Y, MOMENT, DEPTH, RATE, NORMAL_X, NORMAL_Y, NORMAL, SLIDING = range(8, 17)
 X_GROWTH, THETA_GROWTH, TOUCHING = range(17, 20)
 SAMPLE = 20
-"""Columns of a sample: the state, the contact, the accelerations, whether in contact."""
+"""Columns of a sample: state, contact, accelerations, flag of contact."""
 
 IMPACT_TIME, IMPACT_SPEED, IMPACT_PEAK = range(3)
 IMPACT = 3
-"""Columns of an impact: when, at what normal speed, and the greatest force of its contact."""
+"""Columns of an impact: time, normal speed, greatest force of its contact."""
 
-TIME, NEXT_STEP, IN_TOUCH, BEGAN_AT, NEXT_SAMPLE, PRESENT = range(6)
-COURSE = 6
-"""Indices of the course: time, next step, whether in contact, its impact speed, next sample, row of
-the present contact among the impacts, -1 where it has none."""
+TIME, NEXT_STEP, IN_TOUCH, IMPACT_SPEED_NOW, NEXT_SAMPLE, PRESENT = range(6)
+INTEGRATOR = 6
+"""Indices of the integrator's state: time, next step, flag of contact, its impact speed, next
+sample, row of the present contact in the impacts or -1."""
 
 TOUCH_TIME, STEPS, REJECTED, IMPACTS, GREATEST = range(5)
 TALLY = 5
 
 SHORTEST, LONGEST_FLIGHT, LONGEST_CONTACT, FIRST_CONTACT, FLOOR, TALLY_FROM = range(4, 10)
 CONTROL = 10
-"""Indices of the control: tolerances of the states, then steps, impact speed, begin of tally."""
+"""Indices of the control: tolerances of the states, step limits, impact speed, begin of tally."""
 
 STAGES, ALL_STAGES = 12, 16
-WITHIN = 11  # the stages from here to STAGES are at the end of the step, and differ by its error
+WITHIN = 11  # later stages up to STAGES are at the end of the step, and differ by its error
 SAFETY, SHRINK, GROW, ORDER = 0.9, 0.2, 6.0, 0.125
-"""Of the next step: Hairer, Norsett, Wanner (1993), II.4, for a method of order 8."""
+"""Step size control: Hairer, Norsett, Wanner (1993), II.4, for a method of order 8."""
 HOPELESS, HOPELESS_SHRINK = 1e30, 0.1
-"""An error that is not a number gives no suitable step."""
+"""A step with a larger error, or NaN, is shortened by this factor instead."""
 FLAWLESS = 1e-12
-"""Of the tolerance: an error of 0 does not make an endless step."""
+"""Least error used for the next step, as a fraction of the tolerance: avoids division by 0."""
 ABOVE_STAGES = 0.25
-"""A maximum between the stages of a step is above them by less than this part of their range.
+"""Upper bound of a maximum between the stages of a step above them, as a fraction of their range.
 
-The widest gap between two is a fifth of a step, in which a contact swings by less than a radian: a
-cosine of half a radian is 0.12 below its top, and of a slower swing 0.04 of the range of a step.
+The widest gap between stages is a fifth of a step, in which the phase of the contact's oscillation
+changes by less than a radian: a cosine at half a radian is 0.12 below its maximum, and that of a
+slower oscillation 0.04 of the range of a step.
 """
 PEAK_ROUNDS, PEAK_PARTS = 3, 8
-"""Rounds and parts of the search for a peak: to 1/256 of a step, 1e-5 of a maximum."""
+"""Refinements, and intervals of each, for a greatest force: 1/256 of a step, 1e-5 of a maximum."""
 SAME_TIME = 1e-13
-"""Of the step: a crossing is not known better."""
+"""Resolution of a crossing, as a fraction of the step."""
 ROWS = float64[:, ::1]
 WORKSPACE = types.Tuple((ROWS, ROWS, ROWS, ROW, ROW))
 A = np.zeros((ALL_STAGES, ALL_STAGES))
@@ -89,13 +90,13 @@ C = np.concatenate([DOP853.C, [1.0], DOP853.C_EXTRA])
 E3, E5, D = DOP853.E3.copy(), DOP853.E5.copy(), DOP853.D.copy()
 
 BEGIN, END, STAGE = range(3)
-"""Rows of a step's states: where it begins, where it ends, and a stage between."""
+"""Rows of a step's states: its begin, its end, and a stage between."""
 
 
 def make_workspace() -> tuple[Array, Array, Array, Array, Array]:
-    """Make the arrays of a step: stages, states, interpolant, and room for a state and its rate.
+    """Return the work arrays of a step: stages, states, interpolant, a state, a derivative.
 
-    A stage is its derivative, and behind it the reference at its time.
+    A row of the stages is a derivative, followed by the reference at its time.
     """
     stages, rate = np.empty((ALL_STAGES, 2 * DERIVATIVE)), np.empty(DERIVATIVE)
     return stages, np.empty((3, STATE)), np.empty((7, STATE)), np.empty(STATE), rate
@@ -112,10 +113,10 @@ def stage_reference(k, i):  # type: ignore[no-untyped-def]
     **KERNEL,
 )
 def evaluate(p, table, options, time, h, k, states, impact_speed, touching, first, last):  # type: ignore[no-untyped-def]
-    """Fill the stages k[first] .. k[last - 1] of a step from the ones before.
+    """Compute the stages k[first] .. k[last - 1] of a step from the previous ones.
 
-    The reference is evaluated for all stages first: it does not wait for the stage before, and a
-    processor does several at once. Tuples, not rows of k, go in and out: a row costs its counting.
+    The reference is computed for all stages first: it does not depend on the previous stage, so
+    the processor overlaps them. Arguments are tuples, as rows of k would cost reference counts.
     """
     b0, b1, b2, b3 = states[BEGIN, 0], states[BEGIN, 1], states[BEGIN, 2], states[BEGIN, 3]
     y = b0, b1, b2, b3
@@ -144,9 +145,9 @@ def evaluate(p, table, options, time, h, k, states, impact_speed, touching, firs
     **KERNEL,
 )
 def try_step(p, table, options, time, h, k, states, scale, impact_speed, touching):  # type: ignore[no-untyped-def]
-    """Take one step from states[BEGIN] to states[END]; return its error over the tolerance.
+    """Compute a step from states[BEGIN] to states[END]; return its error over the tolerance.
 
-    The integrals over the contact come along by the same quadrature, and steer no step.
+    The contact integrals use the same quadrature, and have no part in the step control.
     """
     evaluate(p, table, options, time, h, k, states, impact_speed, touching, 1, STAGES + 1)
     for n in range(SLID, STATE):
@@ -164,17 +165,17 @@ def try_step(p, table, options, time, h, k, states, scale, impact_speed, touchin
             e3 += E3[i] * k[i, n]
         fifth += (e5 / scale[n]) ** 2
         third += (e3 / scale[n]) ** 2
-    together = fifth + 0.01 * third
-    if together == 0.0:
+    combined = fifth + 0.01 * third
+    if combined == 0.0:
         return 0.0
-    return abs(h) * fifth / math.sqrt(4.0 * together)
+    return abs(h) * fifth / math.sqrt(4.0 * combined)
 
 
 @njit(
     void(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, float64, boolean, ROWS), **KERNEL
 )
 def prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense):  # type: ignore[no-untyped-def]
-    """Write the coefficients of the step's interpolant into ``dense``, (7, 8)."""
+    """Compute the coefficients ``dense`` (7, 8) of the step's interpolant."""
     evaluate(p, table, options, time, h, k, states, impact_speed, touching, STAGES + 1, ALL_STAGES)
     for n in range(STATE):
         jump = states[END, n] - states[BEGIN, n]
@@ -190,7 +191,7 @@ def prepare_dense(p, table, options, time, h, k, states, impact_speed, touching,
 
 @njit(void(ROWS, ROWS, float64, ROW), **KERNEL)
 def interpolate(states, dense, part, out):  # type: ignore[no-untyped-def]
-    """Write the state at ``part`` (0 .. 1) of a step into ``out``."""
+    """Compute the state ``out`` at ``part`` (0 .. 1) of a step."""
     for n in range(STATE):
         value = 0.0
         for row in range(6, -1, -1):
@@ -200,9 +201,9 @@ def interpolate(states, dense, part, out):  # type: ignore[no-untyped-def]
 
 @njit(boolean(float64, float64, float64, float64, float64), **KERNEL)
 def may_cross(d0, r0, d1, r1, h):  # type: ignore[no-untyped-def]
-    """Return whether a curve below 0 at its begin rises above 0 in a step: at its end or between.
+    """Return whether a curve that begins below 0 exceeds 0 within a step or at its end.
 
-    d0, r0 and d1, r1: values and rates at both ends; between them the cubic through these.
+    d0, r0 and d1, r1: values and rates at both ends of the cubic.
     """
     if d1 > 0.0:
         return True
@@ -210,12 +211,12 @@ def may_cross(d0, r0, d1, r1, h):  # type: ignore[no-untyped-def]
         return False
     for quarter in range(1, 4):
         t = 0.25 * quarter
-        rest = 1.0 - t
+        remaining = 1.0 - t
         value = (
-            (1.0 + 2.0 * t) * rest * rest * d0
-            + t * rest * rest * h * r0
+            (1.0 + 2.0 * t) * remaining * remaining * d0
+            + t * remaining * remaining * h * r0
             + t * t * (3.0 - 2.0 * t) * d1
-            - t * t * rest * h * r1
+            - t * t * remaining * h * r1
         )
         if value > 0.0:
             return True
@@ -224,7 +225,7 @@ def may_cross(d0, r0, d1, r1, h):  # type: ignore[no-untyped-def]
 
 @njit(float64(VECTOR, TABLE, int64[::1], float64, float64, ROWS, ROWS, ROW, float64), **KERNEL)
 def first_crossing(p, table, options, time, h, states, dense, point, sign):  # type: ignore[no-untyped-def]
-    """Return the part of a step at which sign * penetration first rises above 0, else 2."""
+    """Return the fraction of a step at which sign * penetration first exceeds 0, else 2."""
     low = 0.0
     for eighth in range(1, 9):
         high = 0.125 * eighth
@@ -267,11 +268,11 @@ def first_crossing(p, table, options, time, h, states, dense, point, sign):  # t
 def greatest_force(  # type: ignore[no-untyped-def]
     p, table, options, time, h, k, states, dense, point, slope, impact_speed, ready, known
 ):
-    """Return the greatest size of the joint's force within a step in contact, N.
+    """Return the greatest magnitude of the joint's force within a step in contact, N.
 
-    The stages of the step show whether it lies between the ends; then it is searched on the
-    interpolant, which is in ``dense`` already if ``ready``. slope: overwritten. known: the greatest
-    before; where none between the stages can be above it, none is searched.
+    If the stages indicate a maximum between the ends, it is searched on the interpolant, which
+    ``dense`` already contains if ``ready``. slope: overwritten. known: the greatest force so far;
+    the search is omitted if the stages exclude a greater one.
     """
     most = max(k[0, FORCE], k[STAGES, FORCE])
     between, least = 0.0, min(k[0, FORCE], k[STAGES, FORCE])
@@ -296,27 +297,30 @@ def greatest_force(  # type: ignore[no-untyped-def]
 
 
 @njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW, ROW), **KERNEL)
-def write_sample(p, table, options, time, y, impact_speed, touching, moving, out):  # type: ignore[no-untyped-def]
-    """Write one sample of the whole state, its contact and its accelerations.
+def write_sample(p, table, options, time, y, impact_speed, touching, rates_out, out):  # type: ignore[no-untyped-def]
+    """Write a sample: the absolute state, its contact and its accelerations.
 
-    moving: room for a derivative.
+    moving: work array of a derivative.
     """
-    hold = joint_contact(p, table, options, time, y, impact_speed, touching)
-    derivative(p, table, options, time, y, impact_speed, touching, moving)
+    contact = joint_contact(p, table, options, time, y, impact_speed, touching)
+    derivative(p, table, options, time, y, impact_speed, touching, rates_out)
     _, _, c, s, rate, growth, position, velocity, acceleration = reference(p, time)
     out[X], out[THETA] = position + y[X], math.atan2(s, c) + y[THETA]
     out[X_RATE], out[THETA_RATE] = velocity + y[X_RATE], rate + y[THETA_RATE]
     for n in range(SLID, STATE):
         out[n] = y[n]
     for n in range(9):
-        out[FORCE_X + n] = hold[n]
-    out[X_GROWTH], out[THETA_GROWTH] = acceleration + moving[X_RATE], growth + moving[THETA_RATE]
+        out[FORCE_X + n] = contact[n]
+    out[X_GROWTH], out[THETA_GROWTH] = (
+        acceleration + rates_out[X_RATE],
+        growth + rates_out[THETA_RATE],
+    )
     out[TOUCHING] = 1.0 if touching else 0.0
 
 
 @njit(void(VECTOR, float64, float64, ROW), **KERNEL)
-def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
-    """Add the reference motion to a state, times a sign."""
+def add_reference(p, time, sign, y):  # type: ignore[no-untyped-def]
+    """Add ``sign`` times the reference motion to a state."""
     _, _, c, s, rate, _, position, velocity, _ = reference(p, time)
     y[X] += sign * position
     y[THETA] += sign * math.atan2(s, c)
@@ -329,21 +333,21 @@ def refer(p, time, sign, y):  # type: ignore[no-untyped-def]
     **KERNEL,
 )
 def integrate(  # type: ignore[no-untyped-def]
-    p, table, options, y, course, control, times, most_steps, samples, impacts, tally, workspace
+    p, table, options, y, integrator, control, times, most_steps, samples, impacts, tally, workspace
 ):
-    """Integrate towards the last of ``times``, write samples, impacts, tallies; return a status.
+    """Integrate to the last of ``times``, write samples, impacts and tallies; return a status.
 
-    options: location, shape. y (off the reference, see ``refer``), course and tally are changed:
-    when ``most_steps`` did not suffice the status is UNFINISHED; a call with the same continues.
-    workspace: see ``make_workspace``.
+    options: location, shape. y (relative to the reference, see ``add_reference``), integrator and
+    tally are updated in place: after ``most_steps`` the status is UNFINISHED, and another call with
+    the same arrays continues. workspace: see ``make_workspace``.
     """
     scale, floor, tally_from = control[:4], control[FLOOR], control[TALLY_FROM]
-    time, h = course[TIME], course[NEXT_STEP]
-    touching, impact_speed = course[IN_TOUCH] > 0.5, max(course[BEGAN_AT], floor)
-    next_sample = int(course[NEXT_SAMPLE])
+    time, h = integrator[TIME], integrator[NEXT_STEP]
+    touching, impact_speed = integrator[IN_TOUCH] > 0.5, max(integrator[IMPACT_SPEED_NOW], floor)
+    next_sample = int(integrator[NEXT_SAMPLE])
     end = times[-1]
     k, states, dense, point, slope = workspace
-    present = int(course[PRESENT])
+    present = int(integrator[PRESENT])
     for n in range(STATE):
         states[BEGIN, n] = y[n]
     derivative(p, table, options, time, y, impact_speed, touching, k[0])
@@ -369,12 +373,12 @@ def integrate(  # type: ignore[no-untyped-def]
             continue
         arrival = end if h >= end - time else time + h
         sign = -1.0 if touching else 1.0
-        deep_then, rate_then = depth_and_rate(
+        end_depth, end_rate = depth_and_rate(
             p, table, options, stage_reference(k, STAGES), states[END]
         )
         crossed = False
         ready = False
-        if may_cross(sign * deep, sign * rate, sign * deep_then, sign * rate_then, h):
+        if may_cross(sign * deep, sign * rate, sign * end_depth, sign * end_rate, h):
             prepare_dense(p, table, options, time, h, k, states, impact_speed, touching, dense)
             part = first_crossing(p, table, options, time, h, states, dense, point, sign)
             crossed = part <= 1.0
@@ -383,7 +387,7 @@ def integrate(  # type: ignore[no-untyped-def]
                 h *= part
                 arrival = time + h
                 try_step(p, table, options, time, h, k, states, scale, impact_speed, touching)
-                deep_then, rate_then = depth_and_rate(
+                end_depth, end_rate = depth_and_rate(
                     p, table, options, stage_reference(k, STAGES), states[END]
                 )
         while next_sample < times.size and times[next_sample] <= arrival:
@@ -429,7 +433,7 @@ def integrate(  # type: ignore[no-untyped-def]
         time = arrival
         for n in range(STATE):
             states[BEGIN, n] = states[END, n]
-        deep, rate = deep_then, rate_then
+        deep, rate = end_depth, end_rate
         h *= min(GROW, SAFETY * max(error, FLAWLESS) ** -ORDER)
         if crossed:
             touching = not touching
@@ -451,7 +455,7 @@ def integrate(  # type: ignore[no-untyped-def]
                 k[0, n] = k[STAGES, n]
     for n in range(STATE):
         y[n] = states[BEGIN, n]
-    course[TIME], course[NEXT_STEP], course[NEXT_SAMPLE] = time, h, next_sample
-    course[IN_TOUCH], course[BEGAN_AT] = 1.0 if touching else 0.0, impact_speed
-    course[PRESENT] = present
+    integrator[TIME], integrator[NEXT_STEP], integrator[NEXT_SAMPLE] = time, h, next_sample
+    integrator[IN_TOUCH], integrator[IMPACT_SPEED_NOW] = 1.0 if touching else 0.0, impact_speed
+    integrator[PRESENT] = present
     return status

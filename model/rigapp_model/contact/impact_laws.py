@@ -1,6 +1,6 @@
-"""Contact force between pin and bushing, compiled: circles, a worn profile, elastic foundation.
+"""Compiled contact force between pin and bushing: circles, a worn profile, elastic foundation.
 
-Vectors here are in the follower frame's orientation or global, as stated; the bushing belongs to
+Vectors are global or in the orientation of the follower frame, as stated; the bushing is part of
 the follower.
 """
 
@@ -16,17 +16,17 @@ RADIUS, LENGTH, MASS, INERTIA, STATIC_MOMENT, SLIDER_MASS = range(6)
 STIFFNESS, FREE_POSITION, GRAVITY_X, GRAVITY_Y = range(6, 10)
 PIN_RADIUS, CLEARANCE, CONTACT_STIFFNESS, HYSTERESIS, FRICTION = range(10, 15)
 RAMP_START, RAMP_END, FOUNDATION, SPEED, START_ANGLE, LEAST_RADIUS = range(15, 21)
-MOST_STEPS = 12  # Newton from the nearest node takes three or four
+MOST_STEPS = 12  # Newton from the nearest node needs three or four
 SAME_ANGLE = 1e-13  # rad: rounding
-AT_CENTRE = 1e-15  # m: a pin in the very middle has no direction, and is given one
+AT_CENTRE = 1e-15  # m: below it the direction of the pin is undefined, and is set
 REFERENCE_LENGTH = 21
 CURVE_BEGIN, CURVE_SPACING, CURVE = range(22, 25)
 SEGMENTS = 96
 PARAMETERS = CURVE + 4 * SEGMENTS
 """Indices of the parameter vector of the compiled functions.
 
-The last is where the cubics of the elastic curve begin, of log force over log depth; they are read
-where the contact stiffness, that of a force K d^1.5, is 0.
+CURVE is the first coefficient of the elastic curve's cubics, of log force over log depth; they are
+used if the contact stiffness, that of a force K d^1.5, is 0.
 """
 
 CIRCLE, PROFILE, ELASTIC_FOUNDATION = range(3)
@@ -34,9 +34,9 @@ NODE_X, NODE_Y, NODE_LENGTH, CUBIC, SQUARE, LINEAR, CONSTANT = range(7)
 """Columns of the profile table: surface nodes in the follower frame, then the radius spline."""
 
 KERNEL = {**UNCOUNTED, "error_model": "numpy"}
-"""Options of a compiled function: divisions are not checked; a zero ends as a step too small."""
+"""Options of a compiled function: unchecked divisions; by 0 they lead to STEP_TOO_SMALL."""
 INLINED = {**KERNEL, "forceinline": True}
-"""Of one that every stage of every step calls: its arrays alone are twenty arguments."""
+"""Options of a function called in every stage of every step: its arrays alone are 20 arguments."""
 
 TABLE = types.Array(float64, 2, "C", readonly=True)
 VECTOR = types.Array(float64, 1, "C", readonly=True)
@@ -44,12 +44,12 @@ PAIR = types.UniTuple(float64, 2)
 TRIPLE = types.UniTuple(float64, 3)
 FOUR = types.UniTuple(float64, 4)
 FIVE = types.UniTuple(float64, 5)
-HOLD = types.UniTuple(float64, 9)
+CONTACT_RESULT = types.UniTuple(float64, 9)
 
 
 @njit(float64(float64, float64, float64), **INLINED)
 def friction_ramp(speed: float, start: float, end: float) -> float:
-    """Return the part of Coulomb friction that acts at a sliding speed: odd, 0 .. 1 over a ramp."""
+    """Return the fraction of Coulomb friction at a sliding speed: odd, 0 .. 1 over a ramp."""
     size = abs(speed)
     if size <= start:
         return 0.0
@@ -59,26 +59,26 @@ def friction_ramp(speed: float, start: float, end: float) -> float:
 
 @njit(float64(VECTOR, float64), **INLINED)
 def elastic_force(p, deep):  # type: ignore[no-untyped-def]
-    """Return the elastic force (N) at a penetration above 0 (m)."""
+    """Return the elastic force (N) at a positive penetration (m)."""
     if p[CONTACT_STIFFNESS] > 0.0:
         return p[CONTACT_STIFFNESS] * deep * math.sqrt(deep)
     width = p[CURVE_SPACING]
     along = math.log(deep) - p[CURVE_BEGIN]
     inside = min(max(along, 0.0), SEGMENTS * width)
     segment = min(int(inside / width), SEGMENTS - 1)
-    rest = inside - segment * width
+    offset = inside - segment * width
     at = CURVE + 4 * segment
-    value = p[at + 3] + rest * (p[at + 2] + rest * (p[at + 1] + rest * p[at]))
-    slope = p[at + 2] + rest * (2.0 * p[at + 1] + 3.0 * rest * p[at])
+    value = p[at + 3] + offset * (p[at + 2] + offset * (p[at + 1] + offset * p[at]))
+    slope = p[at + 2] + offset * (2.0 * p[at + 1] + 3.0 * offset * p[at])
     return math.exp(value + slope * (along - inside))
 
 
 @njit(TRIPLE(VECTOR, TABLE, float64, float64), **KERNEL)
 def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
-    """Return penetration and the outward normal (follower frame) where the profile is nearest.
+    """Return penetration and outward normal (follower frame) at the nearest point of the profile.
 
-    dx, dy: pin centre from bushing centre in the follower frame. The nearest node is refined by
-    Newton on the squared distance to the spline.
+    dx, dy: pin centre from bushing centre in the follower frame. Newton on the squared distance
+    to the spline, from the nearest node.
     """
     count = table.shape[0]
     best, least = 0, 1e300
@@ -104,13 +104,17 @@ def nearest_on_profile(p, table, dx, dy):  # type: ignore[no-untyped-def]
         ex, ey = rho * c - dx, rho * sn - dy
         tx, ty = rho1 * c - rho * sn, rho1 * sn + rho * c
         slope = ex * tx + ey * ty
-        bend = (
+        second_derivative = (
             tx * tx
             + ty * ty
             + ex * ((rho2 - rho) * c - 2.0 * rho1 * sn)
             + ey * ((rho2 - rho) * sn + 2.0 * rho1 * c)
         )
-        move = -slope / bend if bend > 0.0 else -math.copysign(0.25 * step, slope)
+        move = (
+            -slope / second_derivative
+            if second_derivative > 0.0
+            else -math.copysign(0.25 * step, slope)
+        )
         moved = min(step, max(-step, shift + move))
         if abs(moved - shift) < SAME_ANGLE:
             break
@@ -124,8 +128,8 @@ def penetration(p, table, shape, dx, dy, excess, turn):  # type: ignore[no-untyp
     """Return the deepest penetration (negative: gap) and the outward normal there, global.
 
     dx, dy: pin centre from bushing centre, global; excess: its square less that of the clearance,
-    which alone keeps the digits of a small penetration; turn: cosine and sine of the follower's
-    angle.
+    given separately as the difference would lose the digits of a small penetration; turn: cosine
+    and sine of the follower's angle.
     """
     if shape == CIRCLE:
         distance = math.sqrt(dx * dx + dy * dy)
@@ -153,10 +157,10 @@ def penetration(p, table, shape, dx, dy, excess, turn):  # type: ignore[no-untyp
 def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     """Return elastic force on the bushing (x, y), two moments about its centre, penetration.
 
-    Follower frame, without friction. Every node of the surface bears foundation modulus times its
-    own penetration. The first moment is that of the force; the second, times the ratio of
-    tangential to normal force, that of friction. Only nodes that a circle of the surface's least
-    radius would bring into reach are used; 0 penetration when none is.
+    Follower frame, without friction. The pressure at each node of the surface is the foundation
+    modulus times its penetration. The first moment is that of the force; the second, times the
+    ratio of tangential to normal force, that of friction. Only nodes within reach of the pin on a
+    circle of the surface's least radius are used; 0 penetration if there is none.
     """
     fx = fy = moment = turned = 0.0
     radius, least = p[PIN_RADIUS], p[LEAST_RADIUS]
@@ -185,7 +189,7 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
 
 
 @njit(
-    HOLD(
+    CONTACT_RESULT(
         VECTOR,
         TABLE,
         int64,
@@ -198,15 +202,14 @@ def foundation_force(p, table, dx, dy):  # type: ignore[no-untyped-def]
     **INLINED,
 )
 def contact_force(p, table, shape, relative, excess, turn, rates, impact_speed):  # type: ignore[no-untyped-def]
-    """Return the force of the contact on the bushing, and its components; all global.
+    """Return the contact force on the bushing, and its components; all global.
 
     In order: force (x, y), its moment about the bushing centre, penetration, its rate, the normal
     (x, y), the normal force, the sliding speed of the pin's surface on the bushing's.
     relative: pin centre from bushing centre and its velocity, (dx, dy, ux, uy), global; excess:
-    see ``penetration``; turn: cosine and sine of the follower's angle; rates: turning speeds of pin
-    and follower.
-    impact_speed: the normal speed at which this contact began, floored; the normal force is
-    that of ``elastic_force`` times 1 + hysteresis d' / impact_speed, never negative.
+    see ``penetration``; turn: cosine and sine of the follower's angle; rates: angular speeds of
+    pin and follower. impact_speed: normal speed at the start of this contact, with its floor; the
+    normal force is that of ``elastic_force`` times 1 + hysteresis d' / impact_speed, at least 0.
     """
     dx, dy, ux, uy = relative
     c, s = turn

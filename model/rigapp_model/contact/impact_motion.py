@@ -1,9 +1,9 @@
-"""Equations of motion of the slider-crank with a clearance joint, compiled.
+"""Compiled equations of motion of the slider-crank with a clearance joint.
 
-Two coordinates, slider position and follower angle, each as deviation from a reference: the motion
-of a follower that always touches the bushing on its axis (technique 2). So the large motion of the
-mechanism costs no accuracy and no steps, and a penetration of a millionth of the mechanism's size
-keeps its digits. The crank turns at a prescribed speed.
+Two coordinates, slider position and follower angle, each relative to a reference: the motion with
+continuous contact on the follower's axis (technique 2). So the large motion of the mechanism costs
+neither accuracy nor steps, and a penetration of a millionth of the mechanism's size keeps its
+digits. The crank turns at a prescribed speed.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from numba import boolean, float64, int64, types, void
 
 from rigapp_model.compiled import njit
 from rigapp_model.contact.impact_laws import (
+    CONTACT_RESULT,
     FREE_POSITION,
     GRAVITY_X,
     GRAVITY_Y,
-    HOLD,
     INERTIA,
     INLINED,
     KERNEL,
@@ -40,31 +40,31 @@ from rigapp_model.contact.impact_laws import (
 
 AT_CRANK, AT_WRIST = range(2)
 X, THETA, X_RATE, THETA_RATE, SLID, WORK, WORK_X, WORK_Y = range(8)
-"""Indices of the state: motion, then integrals over the contact so far.
+"""Indices of the state: motion, then integrals over the contact.
 
-Those are the sliding distance (m), normal force times sliding distance (J), and the same times the
-direction in which the pin presses, in the wear frame of ``rigapp_model.wear.loads``.
+These are the sliding distance (m), normal force times sliding distance (J), and that times the
+direction of the pin's pressure, in the wear frame of ``rigapp_model.wear.loads``.
 """
 COORDINATES, STATE = 4, 8
 FORCE, DERIVATIVE = 8, 9
-"""Behind the rates of the state: the size of the joint's force, N."""
+"""Index of the magnitude of the joint's force, N, after the derivatives of the state."""
 
 SMALL_ANGLE = 0.01
-"""rad: up to here the series is exact to rounding, and quicker than the functions."""
+"""Angle (rad) up to which the series is exact to rounding; faster than the functions."""
 
 ROW = float64[::1]
 COORDINATE_VALUES = types.UniTuple(float64, 4)
 REFERENCE = types.UniTuple(float64, 9)
 RATES = types.UniTuple(float64, 9)
-PLACED = types.UniTuple(float64, 7)
+JOINT_POSITION = types.UniTuple(float64, 7)
 
 
 @njit(REFERENCE(VECTOR, float64), **INLINED)
 def reference(p, time):  # type: ignore[no-untyped-def]
     """Return the reference motion at a time.
 
-    Place of the crank pin (x, y); cosine and sine of the follower's angle, its speed and growth;
-    slider position, velocity, acceleration.
+    Position of the crank pin (x, y); cosine and sine of the follower's angle, its speed and
+    acceleration; slider position, velocity, acceleration.
     """
     angle = p[START_ANGLE] + p[SPEED] * time
     px, py = p[RADIUS] * math.cos(angle), p[RADIUS] * math.sin(angle)
@@ -80,9 +80,9 @@ def reference(p, time):  # type: ignore[no-untyped-def]
     return px, py, c, s, rate, growth, px + rise, velocity, acceleration
 
 
-@njit(PLACED(VECTOR, int64, REFERENCE, COORDINATE_VALUES), **INLINED)
-def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
-    """Return the pin's position in its bushing for a deviation from the reference.
+@njit(JOINT_POSITION(VECTOR, int64, REFERENCE, COORDINATE_VALUES), **INLINED)
+def joint_position(p, location, ref, y):  # type: ignore[no-untyped-def]
+    """Return the position of the pin in its bushing for a deviation from the reference.
 
     Pin centre from bushing centre (x, y), its velocity, |pin centre|^2 - clearance^2, and cosine
     and sine of the follower's angle.
@@ -91,12 +91,12 @@ def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
     angle = y[THETA]
     squared = angle * angle
     if squared < SMALL_ANGLE**2:
-        bend = squared * (-1.0 / 2.0 + squared * (1.0 / 24.0 - squared / 720.0))
-        turn = angle * (1.0 + squared * (-1.0 / 6.0 + squared * (1.0 / 120.0 - squared / 5040.0)))
+        cosm1 = squared * (-1.0 / 2.0 + squared * (1.0 / 24.0 - squared / 720.0))
+        sine = angle * (1.0 + squared * (-1.0 / 6.0 + squared * (1.0 / 120.0 - squared / 5040.0)))
     else:
         half = math.sin(0.5 * angle)
-        bend, turn = -2.0 * half * half, 2.0 * half * math.cos(0.5 * angle)
-    dc, ds = c0 * bend - s0 * turn, s0 * bend + c0 * turn
+        cosm1, sine = -2.0 * half * half, 2.0 * half * math.cos(0.5 * angle)
+    dc, ds = c0 * cosm1 - s0 * sine, s0 * cosm1 + c0 * sine
     c, s = c0 + dc, s0 + ds
     length, rate = p[LENGTH], y[THETA_RATE]
     offset = p[REFERENCE_LENGTH] - length
@@ -111,11 +111,13 @@ def placed_joint(p, location, ref, y):  # type: ignore[no-untyped-def]
     return dx, dy, ux, uy, excess, c, s
 
 
-@njit(HOLD(VECTOR, TABLE, int64[::1], PLACED, float64, float64, boolean), **INLINED)
-def contact_there(p, table, options, placed, follower_rate, impact_speed, touching):  # type: ignore[no-untyped-def]
-    """Return the result of ``contact_force`` at a placed joint; without force in flight."""
+@njit(
+    CONTACT_RESULT(VECTOR, TABLE, int64[::1], JOINT_POSITION, float64, float64, boolean), **INLINED
+)
+def contact_at(p, table, options, position, follower_rate, impact_speed, touching):  # type: ignore[no-untyped-def]
+    """Return the result of ``contact_force`` for a position of the joint; no force in flight."""
     location, shape = options[0], options[1]
-    dx, dy, ux, uy, excess, c, s = placed
+    dx, dy, ux, uy, excess, c, s = position
     if not touching:
         deep, nx, ny = penetration(p, table, shape, dx, dy, excess, (c, s))
         cx, cy = dx + p[PIN_RADIUS] * nx, dy + p[PIN_RADIUS] * ny
@@ -127,43 +129,43 @@ def contact_there(p, table, options, placed, follower_rate, impact_speed, touchi
     )
 
 
-@njit(HOLD(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), **KERNEL)
+@njit(CONTACT_RESULT(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean), **KERNEL)
 def joint_contact(p, table, options, time, y, impact_speed, touching):  # type: ignore[no-untyped-def]
-    """Return the result of ``contact_force`` for a state; without force in flight."""
+    """Return the result of ``contact_force`` for a state; no force in flight."""
     ref = reference(p, time)
-    placed = placed_joint(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
+    position = joint_position(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
     rate = ref[4] + y[THETA_RATE]
-    return contact_there(p, table, options, placed, rate, impact_speed, touching)
+    return contact_at(p, table, options, position, rate, impact_speed, touching)
 
 
 @njit(PAIR(VECTOR, TABLE, int64[::1], REFERENCE, ROW), **KERNEL)
 def depth_and_rate(p, table, options, ref, y):  # type: ignore[no-untyped-def]
-    """Return the penetration of a state, negative for a gap, and its rate of change."""
-    placed = placed_joint(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
+    """Return the penetration of a state, negative for a gap, and its rate."""
+    position = joint_position(p, options[0], ref, (y[X], y[THETA], y[X_RATE], y[THETA_RATE]))
     rate = ref[4] + y[THETA_RATE]
-    hold = contact_there(p, table, options, placed, rate, 1.0, False)
-    return hold[3], hold[4]
+    contact = contact_at(p, table, options, position, rate, 1.0, False)
+    return contact[3], contact[4]
 
 
 @njit(RATES(VECTOR, TABLE, int64[::1], REFERENCE, COORDINATE_VALUES, float64, boolean), **INLINED)
 def rates(p, table, options, ref, y, impact_speed, touching):  # type: ignore[no-untyped-def]
-    """Return the state's rate of change, and behind it the joint's force.
+    """Return the derivative of the state, followed by the magnitude of the joint's force.
 
-    ref: the reference at the state's time; y: its coordinates. The accelerations are those of
-    slider and follower, less those of the reference.
+    ref: reference at the time of the state; y: its coordinates. The accelerations of slider and
+    follower are relative to the reference.
     """
     px, py, _, _, rate0, growth0, position0, _, acceleration0 = ref
-    placed = placed_joint(p, options[0], ref, y)
-    c, s = placed[5], placed[6]
+    position = joint_position(p, options[0], ref, y)
+    c, s = position[5], position[6]
     rate = rate0 + y[THETA_RATE]
     fx = fy = moment = 0.0
     slid = work = work_x = work_y = force = 0.0
     if touching:
-        hold = contact_there(p, table, options, placed, rate, impact_speed, True)
-        fx, fy, moment = hold[0], hold[1], hold[2]
+        contact = contact_at(p, table, options, position, rate, impact_speed, True)
+        fx, fy, moment = contact[0], contact[1], contact[2]
         force = math.sqrt(fx * fx + fy * fy)
-        nx, ny, normal, sliding = hold[5], hold[6], hold[7], abs(hold[8])
-        # A contact that damping has emptied does not slide.
+        nx, ny, normal, sliding = contact[5], contact[6], contact[7], abs(contact[8])
+        # No sliding in contact where damping has reduced the force to 0.
         if normal > 0.0:
             slid, work = sliding, normal * sliding
             work_x = -normal * sliding * (nx * c + ny * s)
@@ -188,7 +190,7 @@ def rates(p, table, options, ref, y, impact_speed, touching):  # type: ignore[no
 
 @njit(void(VECTOR, TABLE, int64[::1], float64, ROW, float64, boolean, ROW), **KERNEL)
 def derivative(p, table, options, time, y, impact_speed, touching, out):  # type: ignore[no-untyped-def]
-    """Write the result of ``rates`` for a state at a time into ``out``."""
-    now = (y[X], y[THETA], y[X_RATE], y[THETA_RATE])
-    rate = rates(p, table, options, reference(p, time), now, impact_speed, touching)
+    """Compute ``rates`` of a state at a time into ``out``."""
+    coordinates = (y[X], y[THETA], y[X_RATE], y[THETA_RATE])
+    rate = rates(p, table, options, reference(p, time), coordinates, impact_speed, touching)
     out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8] = rate

@@ -1,4 +1,4 @@
-"""The mechanism with a clearance joint as input of the compiled integration, and its states."""
+"""Mechanism with a clearance joint, as input of the compiled integration, and its states."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from rigapp_model.parameters import Joint, Material, Mechanism
 
 Array = NDArray[np.float64]
 Location = Literal["crank", "wrist"]
-NODES = 360  # of the worn surface: one a degree
+NODES = 360  # of the worn surface: one per degree
 
 
 @dataclass(frozen=True, slots=True)
 class ContactState:
-    """A state of the mechanism: slider (m, m/s), follower (rad, rad/s), and the contact.
+    """State of the mechanism: slider (m, m/s), follower (rad, rad/s), and the contact.
 
-    ``impact_speed`` is the normal speed (m/s) at which the present contact began.
+    ``impact_speed``: normal speed (m/s) at the start of the present contact.
     """
 
     slider_position: float
@@ -43,13 +43,13 @@ class ContactState:
 
 @dataclass(frozen=True, slots=True)
 class ClearanceSystem:
-    """The slider-crank with one clearance joint, turning at a constant speed (rad/s).
+    """Slider-crank with one clearance joint at a constant speed (rad/s).
 
     location "crank": between crank pin and follower (the joint of interest); "wrist": between
-    follower and slider. The follower carries the bushing in both. ``vector``, ``table`` and
-    ``options`` are the compiled functions' arguments; ``scales`` are lengths and speeds of the
-    contact that tolerances refer to. ``elastic`` is the force over the penetration of one point:
-    a curve, or K (N/m^1.5) of K d^1.5.
+    follower and slider. The bushing is part of the follower in both. ``vector``, ``table`` and
+    ``options`` are arguments of the compiled functions; ``scales``: reference values of the state
+    for the tolerances. ``elastic``: force over penetration at one point, as a curve or as K
+    (N/m^1.5) of K d^1.5.
     """
 
     mechanism: Mechanism
@@ -66,14 +66,14 @@ class ClearanceSystem:
 
     @property
     def deepest(self) -> float:
-        """Return the penetration (m) up to which the law of one point is known.
+        """Return the penetration (m) up to which the law at one point is valid.
 
-        That of a small contact ends where it is as deep as the clearance.
+        K d^1.5, a law of small contacts, is valid up to the clearance.
         """
         return self.elastic.end if isinstance(self.elastic, Indentation) else self.joint.clearance
 
     def penetration_under(self, force: float) -> float:
-        """Return how deep (m) a force (N) presses the pin at one point; 0 without a force."""
+        """Return the penetration (m) under a force (N) at one point; 0 without a force."""
         if force <= 0.0:
             return 0.0
         if isinstance(self.elastic, Indentation):
@@ -92,11 +92,11 @@ def clearance_system(
     profile: WornSurface | None = None,
     start_angle: float = 0.0,
 ) -> ClearanceSystem:
-    """Assemble a system; raise ModelError for one that cannot move or touch.
+    """Return a clearance system; raise ModelError for one that cannot move or touch.
 
-    contact: None takes law and restitution from the joint. profile: wear of the bushing's surface;
-    None is a circle. A worn surface bears as an elastic foundation unless ``contact`` requires one
-    point and the surface is everywhere flatter than the pin.
+    contact: by default with law and restitution of the joint. profile: wear of the bushing's
+    surface; None: circular. A worn surface is an elastic foundation, unless ``contact`` requires
+    one point and the surface is everywhere flatter than the pin.
     """
     settings = contact or ContactModel(joint.contact_law, joint.restitution)
     require_finite("speed", speed, "rad/s")
@@ -163,27 +163,27 @@ def clearance_system(
 
 
 def _reference_length(mechanism: Mechanism, joint: Joint, speed: float) -> float:
-    """Return joint to joint length of the follower where the pin touches on its axis, m.
+    """Return the joint-to-joint length of the follower with contact on its axis, m.
 
-    On the side where the force of the perfect joint presses most of the time.
+    The side is that of the mean force of the perfect joint.
     """
     motion = inverse_dynamics(mechanism, np.linspace(0.0, 2.0 * np.pi, 73), speed)
-    side = -1.0 if float(motion.force_follower[0].mean()) > 0.0 else 1.0
-    length = mechanism.follower_length + side * joint.clearance
+    sign = -1.0 if float(motion.force_follower[0].mean()) > 0.0 else 1.0
+    length = mechanism.follower_length + sign * joint.clearance
     if length <= mechanism.crank_radius:
         raise ModelError("clearance", joint.clearance, say("it leaves the follower too short"), "m")
     return length
 
 
 def settled_state(system: ClearanceSystem) -> ContactState:
-    """Return a state in contact at the start angle, as near as possible to steady contact.
+    """Return a state in contact at the start angle, close to steady contact.
 
-    The pin lies against the bushing where the force of the perfect joint, turned by the friction
-    angle, presses it; the velocities follow from the same placement a moment before and after.
+    The contact is in the direction of the perfect joint's force, turned by the friction angle;
+    velocities are central differences of this position.
     """
-    moment = 1e-4 / max(abs(system.speed), 1.0)
-    before, now, after = (_placed(system, t) for t in (-moment, 0.0, moment))
-    rates = (after - before) / (2.0 * moment)
+    step = 1e-4 / max(abs(system.speed), 1.0)
+    before, now, after = (_contact_position(system, t) for t in (-step, 0.0, step))
+    rates = (after - before) / (2.0 * step)
     return ContactState(
         slider_position=float(now[0]),
         follower_angle=float(now[1]),
@@ -194,13 +194,13 @@ def settled_state(system: ClearanceSystem) -> ContactState:
     )
 
 
-def _placed(system: ClearanceSystem, time: float) -> Array:
-    """Return slider position and follower angle with the pin pressed where the force points."""
+def _contact_position(system: ClearanceSystem, time: float) -> Array:
+    """Return slider position and follower angle with the contact in the force's direction."""
     m = system.mechanism
     angle = system.start_angle + system.speed * time
     at_crank = system.location == "crank"
-    # Friction at the pin turns the follower and so changes the force. A pin placed by the force
-    # without it swings about its rest for the whole cycle: nothing damps it but friction.
+    # Friction at the pin turns the follower and so changes the force. A start from the frictionless
+    # force would oscillate for the whole cycle, as only friction damps it.
     joint = system.joint if at_crank else None
     motion = inverse_dynamics(m, angle, system.speed, contact=joint)
     force = motion.force if at_crank else -motion.wrist_force
@@ -222,7 +222,7 @@ def _placed(system: ClearanceSystem, time: float) -> Array:
 
 
 def _scales(system: ClearanceSystem) -> Array:
-    """Return the sizes of the four states in a contact under the perfect joint's mean force."""
+    """Return typical values of the four states in contact under the perfect joint's RMS force."""
     mechanism = system.mechanism
     motion = inverse_dynamics(mechanism, np.linspace(0.0, 2.0 * np.pi, 73), system.speed)
     vector = motion.force if system.location == "crank" else motion.wrist_force
@@ -256,7 +256,7 @@ def _surface(joint: Joint, profile: WornSurface | None) -> Array:
 
 
 def _check_one_contact(joint: Joint, table: Array) -> None:
-    """Refuse a surface that the pin can touch at two points: one as curved as the pin."""
+    """Raise ModelError if the pin can touch at two points: a surface as curved as the pin."""
     rho, rho1, rho2 = (
         table[:, laws.CONSTANT],
         table[:, laws.LINEAR],

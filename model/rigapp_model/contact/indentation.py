@@ -1,8 +1,8 @@
-"""The elastic laws of a contact: the indentation of a pin in its bushing under a force.
+"""Elastic contact laws: the indentation of a bushing by its pin under a force.
 
-The default is that of the elements: the indentation that the clamped elastic ring of the wear model
-has, so that the contact of technique 3 is as stiff as the bushing that wears. Pereira's and Liu's
-are published for cylinders in cylinders; a sphere's, Hertz', has no width.
+The default, ``elements``, is the indentation of the clamped elastic ring of the wear model, so that
+technique 3 has the same stiffness as the bushing that wears. The laws of Pereira and Liu are
+published for cylinders in cylinders; that of a sphere, Hertz', has no width.
 """
 
 from __future__ import annotations
@@ -29,23 +29,23 @@ Array = NDArray[np.float64]
 NARROW = 0.08
 """Half-angle of contact, rad, below which half-space theory continues the elements to 2e-4."""
 STEP = 1.6
-"""Ratio of a force to the one before, from the narrow contact to the last that is elastic."""
+"""Ratio of consecutive forces, from the narrow contact to the elastic limit."""
 FEWEST = 4
 FAINT = 1e-9
-"""First depth of the curve over its last; below, it is continued as a power."""
+"""First depth of a curve over its last; below it, the curve is extrapolated as a power."""
 NEWTON_STEPS = 4
 PEREIRA_MEETS = 0.34954
-"""Clearance, mm, at which the two branches of Pereira's exponent are one to 1e-4."""
-MICRON_RANGE = (5e-6, 10e-3)  # m: clearances that Pereira's exponent was fitted over
+"""Clearance, mm, at which the two branches of Pereira's exponent agree to 1e-4."""
+MICRON_RANGE = (5e-6, 10e-3)  # m: clearances of the fit of Pereira's exponent
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Indentation:
     """Smooth curve of force (N) over depth (m) of a pin in a bushing.
 
-    ``table`` (SEGMENTS, 4): cubics of log force over log depth, from the highest power; ``begin``
-    and ``spacing``: of the log depth. Beyond the ends it continues as a power of the depth;
-    ``end`` (m) is the last depth that the law is known at, inf where it has no end.
+    ``table`` (SEGMENTS, 4): cubics of log force over log depth, highest power first; ``begin``
+    and ``spacing``: of the log depth. Beyond the ends the curve is extrapolated as a power of the
+    depth; ``end`` (m): largest depth at which the law is valid, inf without a limit.
     """
 
     table: Array
@@ -56,27 +56,27 @@ class Indentation:
     def force(self, depth: ArrayLike) -> Array:
         """Return the force (N) at depths (m) above 0."""
         deep: Array = np.log(np.asarray(depth, dtype=np.float64))
-        return np.asarray(np.exp(self._along(deep)[0]))
+        return np.asarray(np.exp(self._log_force(deep)[0]))
 
     def depth(self, force: ArrayLike) -> Array:
         """Return the depth (m) under forces (N) above 0."""
-        wanted = np.log(np.asarray(force, dtype=np.float64))
+        target = np.log(np.asarray(force, dtype=np.float64))
         knots: Array = self.begin + self.spacing * np.arange(SEGMENTS + 1.0)
-        deep: Array = np.interp(wanted, self._along(knots)[0], knots)
+        deep: Array = np.interp(target, self._log_force(knots)[0], knots)
         for _ in range(NEWTON_STEPS):
-            value, slope = self._along(deep)
-            deep = deep + (wanted - value) / slope
+            value, slope = self._log_force(deep)
+            deep = deep + (target - value) / slope
         return np.asarray(np.exp(deep))
 
-    def _along(self, deep: Array) -> tuple[Array, Array]:
+    def _log_force(self, deep: Array) -> tuple[Array, Array]:
         """Return the log of the force over that of the depth, and its slope."""
         last = self.begin + SEGMENTS * self.spacing
         inside = np.clip(deep, self.begin, last)
         at = np.minimum(((inside - self.begin) / self.spacing).astype(np.int64), SEGMENTS - 1)
-        rest = inside - self.begin - at * self.spacing
+        offset = inside - self.begin - at * self.spacing
         c3, c2, c1, c0 = self.table[at].T
-        slope = c1 + rest * (2.0 * c2 + 3.0 * rest * c3)
-        return c0 + rest * (c1 + rest * (c2 + rest * c3)) + slope * (deep - inside), slope
+        slope = c1 + offset * (2.0 * c2 + 3.0 * offset * c3)
+        return c0 + offset * (c1 + offset * (c2 + offset * c3)) + slope * (deep - inside), slope
 
 
 def indentation(
@@ -93,7 +93,7 @@ def indentation(
 def elements(joint: Joint, bushing: Material, pin: Material) -> Indentation:
     """Return the indentation of the elastic ring of the wear model; raise ModelError.
 
-    The pin gives way too: the ring's modulus is that of both bodies, 1/E* = sum (1 - nu^2)/E.
+    The pin is elastic too: the ring's modulus is that of both bodies, 1/E* = sum (1 - nu^2)/E.
     """
     depth, force = _ring_curve(
         joint.bushing_radius,
@@ -109,8 +109,8 @@ def pereira(joint: Joint, bushing: Material, pin: Material) -> Indentation:
     """Return the fitted law of Pereira, Ramalho and Ambrosio (2011) for internal contact.
 
     F = (0.965 c + 0.0965) L E* / c depth^n, n = Y c^-0.005, Y = 1.51 ln(1000 c)^-0.151 up to a
-    clearance c of 0.34954 mm, where it meets 0.0151 c + 1.151, and that from there; in N, mm and
-    MPa. Raises ModelError outside 5 um to 10 mm.
+    clearance c of 0.34954 mm, and 0.0151 c + 1.151 from there; in N, mm and MPa. Raises ModelError
+    outside 5 um to 10 mm.
     """
     low, high = MICRON_RANGE
     if not low <= joint.clearance <= high:
@@ -143,7 +143,7 @@ def contact_modulus(bushing: Material, pin: Material) -> float:
 
 
 def curve(depth: Array, force: Array, end: float) -> Indentation:
-    """Return the smooth curve through depths (m, increasing) and forces (N)."""
+    """Return a smooth curve through depths (m, increasing) and forces (N)."""
     uneven = CubicSpline(np.log(depth), np.log(force))
     grid = np.linspace(np.log(depth[0]), np.log(depth[-1]), SEGMENTS + 1)
     even = CubicSpline(grid, uneven(grid))
@@ -163,28 +163,28 @@ def _ring_curve(
 ) -> tuple[Array, Array]:
     """Return depths (m) and forces (N per metre of width) of the ring, both increasing.
 
-    From a narrow contact on by the elements, up to where linear elasticity ends. A narrower one
-    differs from a half-space under a line by what does not depend on the force: its depth is
-    q/(pi E*) (C - ln q), with C from the narrowest that the elements had.
+    By the elements from a narrow contact to the limit of linear elasticity. For a narrower contact
+    the difference to a half-space under a line load is independent of the force: its depth is
+    q/(pi E*) (C - ln q), with C from the narrowest contact of the elements.
     """
     ring = Ring(inner, outer, pin_radius, youngs_modulus, poissons_ratio)
-    known: list[tuple[float, float]] = []
+    points: list[tuple[float, float]] = []
     load = _narrow_load(ring)
     while True:
         try:
             contact = pressure_distribution(ring, (load, 0.0))
         except ContactError:
             break
-        known.append((float(contact.pin[0]) - ring.clearance, load))
+        points.append((float(contact.pin[0]) - ring.clearance, load))
         load *= STEP
-    if len(known) < FEWEST:
+    if len(points) < FEWEST:
         raise ModelError(
             "clearance",
             ring.clearance,
             say("the bushing carries too little for the elements; choose the law pereira or liu"),
             "m",
         )
-    depth, force = np.array(known).T
+    depth, force = np.array(points).T
     line = 1.0 / (np.pi * ring.modulus)
     constant = depth[0] / (line * force[0]) + np.log(force[0])
     faint = force[0] * np.geomspace(FAINT, 1.0, 41)[:-1]

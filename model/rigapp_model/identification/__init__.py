@@ -1,6 +1,6 @@
 """Identify the wear coefficient of a running test: posterior, remaining life, consistency.
 
-Bins of the measured depth and one computed life in, probabilities and sentences out; no input or
+From bins of the measured depth and one computed life to probabilities and messages; no input or
 output. ``docs/model-wear.md`` states the assumptions.
 """
 

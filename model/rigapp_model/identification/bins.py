@@ -1,9 +1,9 @@
-"""Readings of the depth gathered in bins of revolutions, about 12 to a decade.
+"""Readings of the depth averaged in bins of revolutions, about 12 per decade.
 
-A bin's mean is robust: readings are averaged in groups of up to eight whose two largest and two
-smallest are left out, and a bin has one group at least. The scatter is that of the groups about a
-straight line over progress, so that wear within a bin does not count as scatter. Each reading costs
-the same.
+A bin's mean is robust: it averages groups of up to eight readings without the two largest and the
+two smallest of each; a bin has at least one group. The scatter is that of the groups about a
+straight line over progress, so that wear within a bin does not count as scatter. The cost per
+reading is constant.
 """
 
 from __future__ import annotations
@@ -18,23 +18,22 @@ import numpy as np
 from rigapp_model.errors import require_positive
 
 PER_DECADE = 12
-"""Bins a decade: in one of them the depth grows by a fifth, its curve by 4e-4 of the depth."""
+"""Bins per decade: in a bin the depth grows by a fifth, with a curvature of 4e-4 of the depth."""
 LEAST_APART = 1e-9
-"""The part of a temperature beside a straight line counts from this share of its squares on."""
+"""Least deviation of the temperature from a straight line that is used: fraction of its squares."""
 GROUP = 8
-"""Readings of a group: two in eight may be wrong without harm; its mean is 0.9 as efficient."""
+"""Readings per group: two of eight may be faulty; the efficiency of its mean is 0.9."""
 
 
 @dataclass(frozen=True, slots=True)
 class Bin:
     """A closed bin.
 
-    revolution: last one in it; first, progress, last: measured progress at its beginning, its mean
-    and at its end, nominal cycles; depth: robust mean, m; count: readings; squares: of the groups
-    about their straight line, times readings, m^2 (``freedom`` of them independent); steps: squares
-    of differences of neighbouring groups, less their mean, times readings, NaN where not known;
-    warm: mean temperature, degC, None where not known: else its effect is removed from squares,
-    too.
+    revolution: its last; first, progress, last: measured progress at its beginning, its mean and at
+    its end, nominal cycles; depth: robust mean, m; count: of readings; squares: of the groups about
+    their straight line, times readings, m^2; freedom: degrees of freedom of squares; steps: squares
+    of differences of neighbouring groups, less their mean, times readings, NaN if unknown; warm:
+    mean temperature, degC, whose effect is then removed from squares as well; None if unknown.
     """
 
     revolution: float
@@ -51,11 +50,11 @@ class Bin:
 
 @dataclass(slots=True)
 class Gathering:
-    """Gather readings until the bin is closed, in a fixed number of numbers.
+    """Sums of the readings of an open bin, of constant size.
 
-    Sums over groups: n, p, d, p^2, p d, d^2, T, T^2, p T, d T with progress, depth and temperature
-    less those of the first reading; warmed: whether the temperature of all is known.
-    begun, latest: depths of the first and the last group; moved: squares of their steps, m^2.
+    sums: over groups, of n, p, d, p^2, p d, d^2, T, T^2, p T, d T with progress, depth and
+    temperature relative to the first reading; warmed: whether all temperatures are known.
+    begun, latest: depths of the first and the last group; moved: sum of their squared steps, m^2.
     """
 
     origin: tuple[float, ...] = (0.0, 0.0, 0.0)
@@ -71,7 +70,7 @@ class Gathering:
     warmed: bool = True
 
     def add(self, revolution: float, progress: float, depth: float, warm: float) -> None:
-        """Take one reading."""
+        """Add a reading."""
         if not isfinite(warm):
             self.warmed, warm = False, 0.0
         if not (self.groups or self.waiting):
@@ -93,31 +92,37 @@ class Gathering:
         else:
             self.begun = d
         self.latest = d
-        for at, value in enumerate((1.0, p, d, p * p, p * d, d * d, t, t * t, p * t, d * t)):
-            self.sums[at] += n * value
+        for index, value in enumerate((1.0, p, d, p * p, p * d, d * d, t, t * t, p * t, d * t)):
+            self.sums[index] += n * value
         self.groups += 1
         self.waiting = []
 
     def numbers(self) -> dict[str, Any]:
         """Return the state as plain numbers, for a checkpoint."""
-        kept = {field.name: getattr(self, field.name) for field in fields(self)}
-        return {**kept, "sums": list(self.sums), "waiting": list(self.waiting)}
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        return {**values, "sums": list(self.sums), "waiting": list(self.waiting)}
 
     def closed(self) -> Bin | None:
-        """Return the bin, None when there is no reading in it."""
+        """Return the closed bin, None without readings."""
         if len(self.waiting) >= GROUP // 2 or not self.groups:
             self._group()
         if not self.groups:
             return None
         n, p, d, pp, pd, dd, t, tt, pt, dt = self.sums
-        along, across = pp - p * p / n, pd - p * d / n
-        left = dd - d * d / n - (across**2 / along if along > 0.0 else 0.0)
+        progress_squares, progress_depth = pp - p * p / n, pd - p * d / n
+        residual = (
+            dd
+            - d * d / n
+            - (progress_depth**2 / progress_squares if progress_squares > 0.0 else 0.0)
+        )
         freedom = max(self.groups - 2, 0)
-        if self.warmed and along > 0.0:
-            beside = pt - p * t / n
-            apart = tt - t * t / n - beside**2 / along
-            if freedom > 1 and apart > LEAST_APART * tt:
-                left -= (dt - d * t / n - across * beside / along) ** 2 / apart
+        if self.warmed and progress_squares > 0.0:
+            progress_temperature = pt - p * t / n
+            temperature_residual = tt - t * t / n - progress_temperature**2 / progress_squares
+            if freedom > 1 and temperature_residual > LEAST_APART * tt:
+                residual -= (
+                    dt - d * t / n - progress_depth * progress_temperature / progress_squares
+                ) ** 2 / temperature_residual
                 freedom -= 1
         steps = self.moved - GROUP * (self.latest - self.begun) ** 2 / max(self.groups - 1, 1)
         return Bin(
@@ -127,7 +132,7 @@ class Gathering:
             self.last,
             self.origin[1] + d / n,
             int(n),
-            max(left, 0.0) if freedom else 0.0,
+            max(residual, 0.0) if freedom else 0.0,
             freedom,
             max(steps, 0.0) if freedom else 0.0,
             self.origin[2] + t / n if self.warmed else None,
@@ -143,7 +148,7 @@ def trimmed(values: list[float]) -> float:
 
 @dataclass(slots=True)
 class Bins:
-    """Take readings one by one, and keep closed bins and the one that is being filled."""
+    """Closed bins and the open one, filled reading by reading."""
 
     per_decade: float = PER_DECADE
     closed: list[Bin] = field(default_factory=list)
@@ -156,10 +161,10 @@ class Bins:
     def add(
         self, revolution: float, progress: float, depth: float, warm: float = nan
     ) -> Bin | None:
-        """Take one reading; return the bin that it closed, None when none.
+        """Add a reading; return the bin that it closed, or None.
 
-        revolution: its number, rising; progress: by then, nominal cycles; depth: measured, m; warm:
-        temperature, degC, NaN where there is none. A depth that is not finite is left out.
+        revolution: number, increasing; progress: until then, nominal cycles; depth: measured, m;
+        warm: temperature, degC, NaN if unknown. Skips a depth that is not finite.
         """
         if not np.isfinite(depth):
             return None
@@ -178,7 +183,7 @@ class Bins:
         return done
 
     def _end_of(self, revolution: float) -> float:
-        """Return the last revolution of the bin in which one lies."""
+        """Return the last revolution of the bin that contains this one."""
         number = np.floor(self.per_decade * np.log10(max(revolution, 1.0)) + 1e-9)
         end = float(np.floor(10.0 ** ((number + 1.0) / self.per_decade) - 1e-9))
         return max(end, revolution + GROUP - 1.0)
@@ -194,7 +199,7 @@ class Bins:
 
 
 def bins_of(numbers: Mapping[str, Any]) -> Bins:
-    """Return the bins of a state from ``numbers``."""
+    """Restore bins from their ``numbers``."""
     is_open = dict(numbers["open"])
     is_open["origin"] = tuple(is_open["origin"])
     is_open["waiting"] = [tuple(reading) for reading in is_open["waiting"]]
