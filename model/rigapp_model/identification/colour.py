@@ -1,8 +1,8 @@
 """The correlation of the readings' noise, from their spread within bins.
 
-A bin holds two sums of squares of its groups of readings: about a straight line, and of steps from
-group to group. White noise has the same variance in both; correlated noise has little in the steps
-and, in a bin that is longer than its correlation, all of it in the former.
+A bin has two sums of squares of its groups of readings: about a straight line, and of steps from
+group to group. White noise has the same variance in both; correlated noise has little variance in
+the steps and, in a bin longer than its correlation, all of it about the line.
 """
 
 from __future__ import annotations
@@ -23,32 +23,33 @@ Array = NDArray[np.float64]
 EXPECTED_FREEDOM = 4.0
 """Weight of the scatter stated by the record, in groups of readings."""
 LENGTHS = 4.0 ** np.arange(1, 9)
-"""Revolutions in which the correlation falls by e: from 4 to 65,536."""
+"""Correlation lengths (decay by a factor of e), revolutions: from 4 to 65,536."""
 SIZES = 2.0 ** np.arange(-1.0, 5.0)
-"""Sizes of the correlated noise, in units of the spread of groups of readings."""
+"""Standard deviations of the correlated noise, in units of the spread of groups of readings."""
 WHITE_SHARE = 0.5
-"""Probability beforehand that there is no correlated noise at all."""
+"""Prior probability that there is no correlated noise."""
 COUNTS = 5.0
-"""Colours less probable than the best by exp of this, by the spread within bins, are left out."""
+"""Log of the ratio to the most probable colour, by the spread within bins, up to which others are
+used."""
 WILD_SHARE, WILD_RANGE = 0.01, 10.0
-"""One bin in a hundred has a spread of its own, which may be anything within exp of the second."""
+"""Fraction of bins with an unrelated spread, and the log of the range of that."""
 HIDDEN = 0.25
-"""A swing is seen in the spread within bins that are wider than this part of its period."""
+"""Width of a bin, as a fraction of a swing's period, from which the swing adds to its spread."""
 LEAST_WHITE = 1e-3
-"""White noise has this share of the variance of steps at least."""
+"""Least fraction of white noise in the variance of steps."""
 GROUPS = np.unique(np.geomspace(3, 640, 14).astype(int))
-"""Numbers of groups in a bin for which a table is made; between them it is interpolated."""
+"""Numbers of groups per bin in the table; interpolated between them."""
 TWO_THIRDS = 2.0 / 3.0
-"""Degrees of freedom that each step between white groups counts as (J. von Neumann, 1941)."""
+"""Degrees of freedom per step between white groups (J. von Neumann, 1941)."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ScatterWithin:
-    """The spread of groups of readings in n bins that have three groups at least.
+    """Spread of groups of readings in n bins with at least three groups.
 
-    groups (n,): of each; squares (n,): about their line, m^2 a group; wide (n,): revolutions of
-    each; step: variance of a group by steps, m^2, with ``freedom`` degrees; known: whether
-    steps were gathered.
+    groups (n,): per bin; squares (n,): about their line, m^2 per group; wide (n,): revolutions per
+    bin; step: variance of a group from steps, m^2; freedom: degrees of freedom of step; known:
+    whether steps were recorded.
     """
 
     groups: Array
@@ -75,8 +76,8 @@ def spread_of(bins: Sequence[Bin], errors: ProbeErrors) -> ScatterWithin:
 class Colours:
     """C kinds of noise, (C,) each.
 
-    scatter: of a reading's white part, m; size, m, and length, revolutions: of the correlated part;
-    log_weight (C, P): by the spread within bins, beside swings of P periods.
+    scatter: of the white part of a reading, m; size, m, and length, revolutions: of the correlated
+    part; log_weight (C, P): from the spread within bins, in combination with swings of P periods.
     """
 
     scatter: Array
@@ -93,22 +94,22 @@ def _tables() -> tuple[Array, Array]:
     """
     mean, half = (np.empty((LENGTHS.size, GROUPS.size)) for _ in range(2))
     for i, length in enumerate(LENGTHS):
-        alone, near, fall = _of_groups(length)
+        variance, covariance, decay = _group_moments(length)
         for k, count in enumerate(GROUPS):
             lag = np.abs(np.subtract.outer(np.arange(count), np.arange(count)))
-            c = np.where(lag == 0, alone, near * fall ** np.maximum(lag - 1.0, 0.0))
+            c = np.where(lag == 0, variance, covariance * decay ** np.maximum(lag - 1.0, 0.0))
             line = np.linalg.qr(np.stack([np.ones(count), np.arange(count) - 0.5 * count], axis=1))[
                 0
             ]
-            along = c @ line
-            inner = line.T @ along
+            projected = c @ line
+            inner = line.T @ projected
             mean[i, k] = np.trace(c) - np.trace(inner)
-            half[i, k] = (c**2).sum() - 2.0 * (along**2).sum() + (inner**2).sum()
+            half[i, k] = (c**2).sum() - 2.0 * (projected**2).sum() + (inner**2).sum()
     return mean, half
 
 
-def _of_groups(length: float) -> tuple[float, float, float]:
-    """Return variance of a group's mean, covariance with the next one, and its fall with each."""
+def _group_moments(length: float) -> tuple[float, float, float]:
+    """Return variance of a group's mean, covariance with the next, and its decay per group."""
     wide = GROUP / length
     share = -np.expm1(-wide) / wide
     return 2.0 / wide * (1.0 - share), share**2, float(np.exp(-wide))
@@ -117,14 +118,14 @@ def _of_groups(length: float) -> tuple[float, float, float]:
 def colours_of(spread: ScatterWithin, period: Array) -> Colours:
     """Return the kinds of noise compatible with the spread within bins, white noise first.
 
-    period (P,): of swings beside them, revolutions, 0 for none.
+    period (P,): of simultaneous swings, revolutions, 0 for none.
     """
     white = np.array([[0.0, LENGTHS[0]]])
     unit = float(np.sqrt(max(spread.step, spread.squares.sum() / max(spread.groups.sum(), 1.0))))
     grid = np.stack(np.meshgrid(unit * SIZES, LENGTHS, indexing="ij"), axis=-1).reshape(-1, 2)
     size, length = np.concatenate([white, grid]).T
     order = np.log2(length).round().astype(int) // 2 - 1
-    groups = np.array([_of_groups(bins) for bins in LENGTHS])[order]
+    groups = np.array([_group_moments(bins) for bins in LENGTHS])[order]
     step = size**2 * (groups[:, 0] - groups[:, 1])
     mean, half = (
         np.stack([np.interp(spread.groups, GROUPS, row) for row in table])[order]
@@ -132,10 +133,10 @@ def colours_of(spread: ScatterWithin, period: Array) -> Colours:
     )
     freedom = spread.groups - 2.0
     if spread.known or not spread.groups.size:
-        rest = spread.step - step
+        white_variance = spread.step - step
     else:
-        rest = (spread.squares.sum() - size**2 * mean.sum(axis=1)) / freedom.sum()
-    level = np.maximum(rest, LEAST_WHITE * spread.step)
+        white_variance = (spread.squares.sum() - size**2 * mean.sum(axis=1)) / freedom.sum()
+    level = np.maximum(white_variance, LEAST_WHITE * spread.step)
     expected = level[:, None] * freedom + size[:, None] ** 2 * mean
     variance = (
         level[:, None] ** 2 * freedom
@@ -143,7 +144,7 @@ def colours_of(spread: ScatterWithin, period: Array) -> Colours:
         + size[:, None] ** 4 * half
     )
     log_likelihood = _log_gamma(spread.squares, expected, 2.0 * variance)
-    # A step or a swing within a bin makes its squares anything: equal chance in each factor of e.
+    # With a step or a swing within a bin its squares are arbitrary: uniform in the logarithm.
     wild = -np.log(np.maximum(spread.squares, 1e-6 * unit**2)) - np.log(WILD_RANGE)
     log_likelihood = np.logaddexp(log_likelihood + np.log1p(-WILD_SHARE), wild + np.log(WILD_SHARE))
     hidden = spread.wide > HIDDEN * np.where(period > 0.0, period, np.inf)[:, None]
@@ -160,7 +161,7 @@ def colours_of(spread: ScatterWithin, period: Array) -> Colours:
 
 
 def _log_gamma(value: Array, mean: Array, variance: Array) -> Array:
-    """Return the logarithm of the density of a gamma distribution of some mean and variance."""
+    """Return the log density of a gamma distribution with this mean and variance."""
     shape, unit = mean**2 / variance, variance / mean
     value = np.maximum(value, 1e-6 * mean)
     return np.asarray(
@@ -169,7 +170,7 @@ def _log_gamma(value: Array, mean: Array, variance: Array) -> Array:
 
 
 def covariance(size: Array, length: Array, begin: Array, end: Array) -> Array:
-    """Return the covariance (C, n, n), m^2, of means over bins by correlated noise.
+    """Return the covariance (C, n, n), m^2, of means over bins due to correlated noise.
 
     size, length (C,): of the noise, m and revolutions; begin, end (n,): of the bins, revolutions.
     """

@@ -1,11 +1,11 @@
-"""Whether the joint still wears as it did: new readings compared with their prediction.
+"""Detection of a change of wear: new readings compared with their prediction.
 
-Readings are gathered in fine bins, 0.25 % of the revolutions long. Each is compared with the depth
-predicted before it came; the innovation over its standard deviation is standard normal while the
-statement holds. Two cumulative sums (E. S. Page, Biometrika 41 (1954) 100-115), for faster and for
-slower wear, report an event where they pass a threshold that follows from the false alarm rate
-(D. Siegmund, Sequential Analysis, 1985, Eq. 2.56). A step of the readings does that as well as
-other wear: ``Excursion`` decides between them. After a step the level is set free.
+Readings are averaged in fine bins, 0.25 % of the revolutions long. Each is compared with its
+prediction from earlier bins; the normalised innovation is standard normal while the statement
+holds. Two cumulative sums (E. S. Page, Biometrika 41 (1954) 100-115), for faster and for slower
+wear, report an event above a threshold that follows from the false alarm rate (D. Siegmund,
+Sequential Analysis, 1985, Eq. 2.56). A step of the readings has the same effect as a change of
+wear: ``Excursion`` distinguishes them. After a step the level is uncertain again.
 """
 
 from __future__ import annotations
@@ -34,44 +34,45 @@ from rigapp_model.identification.statements import CHANGE, STATEMENTS, Hypothese
 Array = NDArray[np.float64]
 
 FINE = 920
-"""Fine bins a decade, each 0.25 % of the revolutions: three with the largest innovation raise the
+"""Fine bins per decade, each 0.25 % of the revolutions: three with the largest innovation raise the
 alarm, and a bushing that wears 5 um in 1,000 revolutions wears 0.1 um in each at 10,000."""
 FALSE_ALARM = 0.0015
-"""Probability of a false alarm in a decade of revolutions: 0.005 in the first 21,377."""
+"""Probability of a false alarm per decade of revolutions: 0.005 in the first 21,377."""
 REFERENCE = 0.75
-"""Decrement of a sum with each innovation: half of the shift that it finds soonest, 1.5 sigma, the
+"""Decrement of a sum per innovation: half of the shift that it detects fastest, 1.5 sigma, the
 effect of 1.5 K on a fine bin at 10,000 revolutions with a scatter of 0.4 um."""
 LARGEST = 4.0
-"""An innovation counts as no more than this: one wrong bin raises no alarm."""
+"""Limit of an innovation, so that one faulty bin raises no alarm."""
 FREE_FOR = 0.25
-"""After a step the level is uncertain for this part of the revolutions: until a bin gives it."""
+"""Revolutions with an uncertain level after a step, relative to its revolution: until a bin sets
+it."""
 PERIOD_DOUBT = 0.1
-"""Relative doubt of a swing's period, of which those compared are 1.3 times one another."""
+"""Relative uncertainty of a swing's period; the periods compared have a ratio of 1.3."""
 EARLY, EARLY_ODDS = 0.8, float(np.log(300.0))
-"""From this part of the threshold on other wear is reported where its odds are above the second."""
+"""Fraction of the threshold from which a change of wear with these log odds is reported."""
 SURE = 0.95
-"""Probability from which a change counts as present; a lesser one may be a swing."""
+"""Probability of a change from which it is the reference; a less probable one may be a swing."""
 STEP_LASTS = 2.0
-"""Multiple of a step's revolution up to which bins cannot distinguish it from a change of K."""
+"""Factor of a step's revolution until which bins cannot distinguish it from a change of K."""
 OVERSHOOT = 1.166
-"""How far a sum of normal steps passes a threshold (Siegmund), in sigma."""
+"""Mean overshoot of a sum of normal steps above a threshold (Siegmund), in sigma."""
 STATES, LEVEL, NOISE = 11, 5, 6
 SWINGS = (8, 9)
-"""States of what is expected; the level and the correlated noise among them."""
+"""Number of states of the prediction; indices of the level, the correlated noise, the swing."""
 WIDEST = 0.2
-"""Largest uncertainty of ln K for a verdict: its course is straight within this to 1 %."""
+"""Largest standard deviation of ln K with predictions: depth is linear in it to 1 % within this."""
 
 
 def threshold(false_alarm: float = FALSE_ALARM) -> float:
-    """Return what a sum must pass, for a probability of a false alarm in a decade of revolutions.
+    """Return the threshold of a sum for a probability of a false alarm per decade of revolutions.
 
-    A sum runs (exp(x) - x - 1) / (2 k^2) bins between false alarms, x = 2 k (threshold + overshoot)
-    with its decrement k.
+    The mean number of bins between false alarms is (exp(x) - x - 1) / (2 k^2) with
+    x = 2 k (threshold + overshoot) and the decrement k.
     """
-    wanted = 2.0 * REFERENCE**2 * 2.0 * FINE / false_alarm  # each of two sums
-    x = float(np.log(wanted))
+    bins_between = 2.0 * REFERENCE**2 * 2.0 * FINE / false_alarm  # each of two sums
+    x = float(np.log(bins_between))
     for _ in range(20):
-        x = float(np.log(wanted + x + 1.0))
+        x = float(np.log(bins_between + x + 1.0))
     return x / (2.0 * REFERENCE) - OVERSHOOT
 
 
@@ -80,9 +81,9 @@ THRESHOLD = threshold()
 
 @dataclass(frozen=True, slots=True)
 class Departure:
-    """A change of the joint's wear.
+    """Change of the joint's wear.
 
-    revolution: of the report; since: from which on the sum rose; faster: or slower.
+    revolution: of the report; since: start of the rise of the sum; faster: else slower.
     """
 
     revolution: float
@@ -92,17 +93,17 @@ class Departure:
 
 @dataclass(slots=True)
 class Consistency:
-    """Compare readings one by one with their prediction; the state has a fixed size.
+    """Sequential comparison of readings with their prediction; its state has a fixed size.
 
-    mean (11,), covariance (11, 11): of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the level (the
-    drift and steps, m), the correlated noise, m, creep, a swing's value and that a quarter of its
-    period later, m, and the effect of a kelvin, as known now; none before ``renew`` was called.
-    scales: u_e, u_b, strength of the drift, scatter, size and length of the correlated
-    noise, and the swing's period; ended: the revolution that they are of, anchor: that the swing is
-    of; warm_zero: reference of temperatures, degC, None where it is not known.
-    sums: for faster and slower wear; since: the revolution at which each was last 0; rising: the
-    bins since then, for each; stepped: the revolution of the last step, 0 for none; departure: the
-    first one reported, until ``acknowledged``.
+    mean (11,), covariance (11, 11): current, of ln K/K0, ln r, e / u_e, b / u_b, the modulus, the
+    level (drift and steps, m), the correlated noise, m, creep, a swing's value and that a quarter
+    of its period later, m, and the effect of a kelvin; None before ``renew``.
+    scales: u_e, u_b, strength of the drift, scatter, size and length of the correlated noise, and
+    the swing's period; ended: revolution of the state, anchor: of the swing; warm_zero: reference
+    of temperatures, degC, None if unknown.
+    sums: for faster and slower wear; since: last revolution at which each was 0; rising: bins since
+    then, for each; stepped: revolution of the last step, 0 for none; departure: the first one
+    reported, until ``acknowledged``.
     """
 
     bins: Bins = field(default_factory=lambda: Bins(FINE))
@@ -124,12 +125,12 @@ class Consistency:
 
     @property
     def score(self) -> float:
-        """Return the larger sum as a part of its threshold: 1 is the alarm; NaN before any."""
+        """Return the larger sum over its threshold: 1 is the alarm; NaN before ``renew``."""
         return max(self.sums) / THRESHOLD if self.mean is not None else float("nan")
 
     def renew(self, known: Identification) -> None:
-        """Take the newest posterior of the closed bins; the sums go on, unless a swing is new."""
-        best = self._believed(known)
+        """Replace the posterior by that of all closed bins; a new swing resets the sums."""
+        best = self._reference_verdict(known)
         nodes = best.nodes
         if nodes.log_moments[1] > WIDEST:
             return
@@ -149,17 +150,17 @@ class Consistency:
         at = nodes.hypotheses
         centre = np.column_stack([at.log_coefficient, nodes.log_ratio, nodes.mean[:, 1:], left])
         mean = nodes.weight @ centre
-        apart = centre - mean
+        deviations = centre - mean
         self.mean = mean
         self.covariance = np.tensordot(
-            nodes.weight, inner + apart[:, :, None] * apart[:, None, :], axes=1
+            nodes.weight, inner + deviations[:, :, None] * deviations[:, None, :], axes=1
         )
-        turned = min(2.0 * np.pi * PERIOD_DOUBT * known.revolution / period, 1.0)
+        phase_error = min(2.0 * np.pi * PERIOD_DOUBT * known.revolution / period, 1.0)
         for swing in SWINGS:
-            self.covariance[swing, swing] += (turned * SWING) ** 2 * self._swing()
+            self.covariance[swing, swing] += (phase_error * SWING) ** 2 * self._swing()
         swings = float(nodes.weight @ (nodes.kinds.period > 0.0))
         if swings > SURE and period != self.scales[-1]:
-            # A newly found swing explains the rise of a sum.
+            # A newly detected swing explains the rise of a sum.
             self.sums, self.since = (0.0, 0.0), (known.revolution, known.revolution)
         self.statement, self.transition = best.name, float(nodes.hypotheses.transition[0])
         self.walked = float(known.readings.walked[-1])
@@ -175,10 +176,10 @@ class Consistency:
         if 0.0 < known.revolution - self.stepped < FREE_FOR * self.stepped:
             self.covariance[LEVEL, LEVEL] += STEP**2
 
-    def _believed(self, known: Identification) -> Verdict:
-        """Return the most probable statement, but no uncertain change.
+    def _reference_verdict(self, known: Identification) -> Verdict:
+        """Return the most probable statement, without an uncertain change.
 
-        Nor one soon after a reported step, which looks like a change.
+        Also without a change soon after a reported step, which has the same effect.
         """
         if known.best.weight < SURE or known.revolution < STEP_LASTS * self.stepped:
             return next(verdict for verdict in known.verdicts if verdict.name != CHANGE)
@@ -192,7 +193,7 @@ class Consistency:
         life: DepthLife,
         warm: float = float("nan"),
     ) -> Departure | None:
-        """Take one reading; return the departure that it shows, None without one.
+        """Add a reading; return a departure if it is detected.
 
         revolution, progress (nominal cycles), depth (m), warm (degC): as for ``Bins.add``.
         """
@@ -203,7 +204,7 @@ class Consistency:
         return self.judge(closed, life)
 
     def judge(self, closed: Bin, life: DepthLife) -> Departure | None:
-        """Evaluate a fine bin; return the departure that it shows, None without one."""
+        """Compare a fine bin with its prediction; return a departure if it is detected."""
         if self.mean is None or self.covariance is None:
             return None
         sensitivity, reference, drift, scatter, size, length, period = self.scales
@@ -215,7 +216,7 @@ class Consistency:
             self.covariance[swing, swing] += (
                 self._swing() * _wander(period) * max(closed.revolution - self.ended, 0.0)
             )
-        self._passed(closed.revolution - closed.count, size, length)
+        self._propagate_noise(closed.revolution - closed.count, size, length)
         statement = next(named for named in STATEMENTS if named.name == self.statement)
         for sum_so_far, rising in zip(self.sums, self.rising, strict=True):
             if not sum_so_far or rising.mean is None:
@@ -225,13 +226,13 @@ class Consistency:
         half = np.array([0.5 * (closed.last - closed.first)])
         depth, slopes = life.depth(np.array([closed.progress]), at.scaled(half))
         expected = float(depth[0, 0])
-        # The noise at the bin's beginning is a state; its mean over the bin has a part of its own,
+        # The noise at the bin's beginning is a state; its mean over the bin has an additional part,
         # which is correlated with the noise at the end.
         turn = (middle - self.anchor) / period
-        flat = float(np.sinc(closed.count / period))
+        attenuation = float(np.sinc(closed.count / period))
         wide = closed.count / length
-        falls = float(np.exp(-wide))
-        share = (1.0 - falls) / wide
+        decay = float(np.exp(-wide))
+        share = (1.0 - decay) / wide
         row = np.array(
             [
                 slopes[0, 0, 0],
@@ -242,63 +243,63 @@ class Consistency:
                 1.0,
                 share,
                 CREEP * walked,
-                flat * float(np.cos(2.0 * np.pi * turn)),
-                flat * float(np.sin(2.0 * np.pi * turn)),
-                WARMTH * self._warmer(closed),
+                attenuation * float(np.cos(2.0 * np.pi * turn)),
+                attenuation * float(np.sin(2.0 * np.pi * turn)),
+                WARMTH * self._relative_temperature(closed),
             ]
         )
         fresh = size**2 * (2.0 / wide * (1.0 - share) - share**2)
         onward = np.ones(STATES)
-        onward[NOISE] = falls
-        ahead = onward * (self.covariance @ row)
-        ahead[NOISE] += size**2 * share * (1.0 - falls)
+        onward[NOISE] = decay
+        gain = onward * (self.covariance @ row)
+        gain[NOISE] += size**2 * share * (1.0 - decay)
         variance = float(row @ self.covariance @ row) + fresh + scatter**2 / closed.count
-        off = closed.depth - expected - float(row[2:] @ x[2:])
+        residual = closed.depth - expected - float(row[2:] @ x[2:])
         without = row.copy()
         without[NOISE] = 0.0
         for rising in self.rising:
             assert rising.mean is not None
-            # As expected then, by the slopes of now: later information is removed.
+            # Prediction of that time with the present slopes: later information is removed.
             moved = float(without @ (x - rising.mean)) + row[NOISE] * x[NOISE]
             own = scatter**2 / closed.count
             edges = [closed.revolution - closed.count + 1.0, closed.revolution, closed.progress]
-            rising.add([*edges, float(off + moved), float(row[0]), own, *without.tolist()])
+            rising.add([*edges, float(residual + moved), float(row[0]), own, *without.tolist()])
         deviation = float(np.sqrt(variance))
-        self.innovation = off / deviation
+        self.innovation = residual / deviation
         counted = float(np.clip(self.innovation, -LARGEST, LARGEST))
-        self.mean = onward * x + ahead * (counted / deviation)
+        self.mean = onward * x + gain * (counted / deviation)
         self.covariance = onward[:, None] * self.covariance * onward
-        self.covariance[NOISE, NOISE] += size**2 * (1.0 - falls**2)
-        self.covariance = self.covariance - np.outer(ahead, ahead) / variance
+        self.covariance[NOISE, NOISE] += size**2 * (1.0 - decay**2)
+        self.covariance = self.covariance - np.outer(gain, gain) / variance
         self.ended = closed.revolution
-        return self._summed(closed.revolution)
+        return self._update_sums(closed.revolution)
 
-    def _warmer(self, closed: Bin) -> float:
-        """Return the temperature of a bin beside the first one, K, 0 where that is not known."""
+    def _relative_temperature(self, closed: Bin) -> float:
+        """Return the temperature of a bin relative to the first one, K, 0 if unknown."""
         if closed.warm is None or self.warm_zero is None:
             return 0.0
         return closed.warm - self.warm_zero
 
     def _swing(self) -> float:
-        """Return the present part of a usual swing, by its square: 0 to 1."""
+        """Return the present swing's mean square over that of a usual one, 0 to 1."""
         assert self.mean is not None
         assert self.covariance is not None
         size = sum(float(self.mean[index] ** 2 + self.covariance[index, index]) for index in SWINGS)
         return min(size / SWING**2, 1.0)
 
-    def _passed(self, revolution: float, size: float, length: float) -> None:
+    def _propagate_noise(self, revolution: float, size: float, length: float) -> None:
         """Propagate the correlated noise to a revolution over missing readings."""
         assert self.mean is not None
         assert self.covariance is not None
-        falls = float(np.exp(-max(revolution - self.ended, 0.0) / length))
+        decay = float(np.exp(-max(revolution - self.ended, 0.0) / length))
         onward = np.ones(STATES)
-        onward[NOISE] = falls
+        onward[NOISE] = decay
         self.mean = onward * self.mean
         self.covariance = onward[:, None] * self.covariance * onward
-        self.covariance[NOISE, NOISE] += size**2 * (1.0 - falls**2)
+        self.covariance[NOISE, NOISE] += size**2 * (1.0 - decay**2)
 
-    def _summed(self, revolution: float) -> Departure | None:
-        """Add the last innovation to both sums; return the departure that it shows."""
+    def _update_sums(self, revolution: float) -> Departure | None:
+        """Add the last innovation to both sums; return a departure if it is detected."""
         step = float(np.clip(self.innovation, -LARGEST, LARGEST))
         up = max(self.sums[0] + step - REFERENCE, 0.0)
         down = max(self.sums[1] - step - REFERENCE, 0.0)
@@ -324,7 +325,7 @@ class Consistency:
         return None
 
     def acknowledged(self) -> None:
-        """Restart: later readings are judged by the posterior of that time."""
+        """Reset the sums and the departure; later readings are compared with the new posterior."""
         self.sums, self.departure = (0.0, 0.0), None
 
     def numbers(self) -> dict[str, Any]:
@@ -350,15 +351,15 @@ class Consistency:
 
 
 def _wander(period: float) -> float:
-    """Return the drift of value and slope of a swing, m^2 a revolution.
+    """Return the random walk of value and slope of a swing, m^2 per revolution.
 
-    Its period is known to PERIOD_DOUBT: a quarter of it later both are off by so much of an angle.
+    The uncertainty PERIOD_DOUBT of its period is a phase error after a quarter of it.
     """
     return float((SWING * 0.5 * np.pi * PERIOD_DOUBT) ** 2 * 4.0 / period)
 
 
 def _noise(nodes: Nodes) -> tuple[float, float, float]:
-    """Return scatter, size and length of the noise that is most probable by all nodes together."""
+    """Return scatter, size and length of the most probable kind of noise over all nodes."""
     kinds, which = np.unique(
         np.column_stack([nodes.kinds.scatter, nodes.kinds.size, nodes.kinds.length]),
         axis=0,
@@ -370,22 +371,26 @@ def _noise(nodes: Nodes) -> tuple[float, float, float]:
 
 
 def _period(nodes: Nodes) -> float:
-    """Return the most probable period of a swing, infinite where there is none."""
+    """Return the most probable period of a swing, infinite without one."""
     periods, which = np.unique(nodes.kinds.period, return_inverse=True)
     weight = np.bincount(which.ravel(), nodes.weight) * (periods > 0.0)
     return float(periods[int(np.argmax(weight))]) if weight.any() else float("inf")
 
 
 def _states(nodes: Nodes, revolution: float, period: float) -> Array:
-    """Return the states of noise (S) in level, noise, creep, swing, heat, (H, 6, S).
+    """Return the map from states of noise (S) to level, noise, creep, swing, heat, (H, 6, S).
 
-    A swing of another period than the continued one keeps its value and its rate.
+    A swing with another period than the selected one keeps its value and its rate.
     """
-    own = nodes.kinds.period
-    swings = own > 0.0
-    angle = 2.0 * np.pi * revolution / np.where(swings, own, np.inf)
-    faster = period / np.where(swings, own, np.inf) if np.isfinite(period) else np.zeros(own.size)
-    states = np.zeros((own.size, STATES - LEVEL, nodes.left.shape[1]))
+    own_period = nodes.kinds.period
+    swings = own_period > 0.0
+    angle = 2.0 * np.pi * revolution / np.where(swings, own_period, np.inf)
+    faster = (
+        period / np.where(swings, own_period, np.inf)
+        if np.isfinite(period)
+        else np.zeros(own_period.size)
+    )
+    states = np.zeros((own_period.size, STATES - LEVEL, nodes.left.shape[1]))
     states[:, 0, 0] = states[:, 1, 1] = states[:, 5, 2 + HEAT] = 1.0
     states[:, 2, 2] = nodes.kinds.creeps
     states[:, 0, 3] = np.where(swings, -SWING, STEP * (nodes.kinds.jump[:, 1] > 0.0))
@@ -398,14 +403,14 @@ def _states(nodes: Nodes, revolution: float, period: float) -> Array:
 
 
 def consistency_of(numbers: Mapping[str, Any]) -> Consistency:
-    """Return the ``Consistency`` of a state from ``numbers``."""
+    """Restore a ``Consistency`` from its ``numbers``."""
     values = dict(numbers)
     if (
         "rising" not in values
         or len(values["scales"]) != len(Consistency().scales)
         or len(values["mean"] or STATES * [0.0]) != STATES
     ):
-        # Of a version with fewer states of noise: the expectation is known with the next bin.
+        # From a version with fewer states of noise: predictions resume with the next bin.
         values |= {"mean": None, "covariance": None, "scales": Consistency().scales}
         values |= {"rising": [excursion.numbers() for excursion in Consistency().rising]}
     departure, values["transition"] = values["departure"], values.pop("place", 1.0)

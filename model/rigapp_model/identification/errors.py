@@ -1,4 +1,4 @@
-"""Prior knowledge: errors of the probes and the coefficient; and the refusal."""
+"""Prior knowledge: errors of the probes, prior of the coefficient; error if not identifiable."""
 
 from __future__ import annotations
 
@@ -11,24 +11,23 @@ from rigapp_model.errors import require_not_negative, require_positive
 
 
 class NotIdentifiable(Exception):
-    """The sentence says why nothing is stated: never a number without its uncertainty."""
+    """No result is possible; the message gives the reason."""
 
 
 USUAL_DAY = 43_200.0
-"""Revolutions of a day at the 30 rpm of the usual rig."""
+"""Revolutions per day at 30 rpm, the speed of the usual rig."""
 
 
 @dataclass(frozen=True, slots=True)
 class ProbeErrors:
-    """The errors of the probes by their record, as standard uncertainties.
+    """Errors of the probes from their record, as standard uncertainties.
 
     sensitivity: relative, common to all readings; reference: of the depth's zero, m; drift: lower
-    bound of its strength, m per root of the natural logarithm of revolutions; scatter: of one
-    reading as expected before any is there, m; load: relative, of the load by which the wear is
-    divided: the coefficient goes with its inverse, while what remains does not depend on it;
-    geometry: relative, of the coefficient by width and clearance of the specimen, likewise; swing:
-    probability that the readings swing slowly, as with the temperature of a room; day: revolutions
-    of a day, the most probable period of that.
+    bound of its strength, m per root of the natural logarithm of revolutions; scatter: expected
+    value for one reading, m; load: relative, of the load by which the wear is divided: affects the
+    coefficient, not the remaining revolutions; geometry: relative, of the coefficient due to width
+    and clearance of the specimen, likewise; swing: probability of a slow swing of the readings, as
+    with the temperature of a room; day: revolutions per day, the most probable period of it.
     """
 
     sensitivity: float
@@ -64,7 +63,7 @@ def probe_errors(
     load: float = 0.0,
     geometry: float = 0.0,
 ) -> ProbeErrors:
-    """Return the errors of the probes; raise NotIdentifiable for unstated ones (None)."""
+    """Return the errors of the probes; raise NotIdentifiable if one is not stated (None)."""
     missing = [
         name
         for name, value in (
@@ -86,14 +85,14 @@ def probe_errors(
 
 
 WIDE = float(np.log(10.0) / 1.959964)
-"""Spread of ln K when nothing is known but its order: 95 % within a decade to either side."""
+"""Spread of ln K if only its order of magnitude is known: 95 % within a decade to either side."""
 
 
 @dataclass(frozen=True, slots=True)
 class Prior:
-    """The prior of the wear coefficient: ln K is normal.
+    """Prior of the wear coefficient: ln K is normal.
 
-    coefficient: median, m^2/N; spread: standard deviation of ln K; source: where from, in words.
+    coefficient: median, m^2/N; spread: standard deviation of ln K; source: as text.
     """
 
     coefficient: float

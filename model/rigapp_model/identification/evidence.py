@@ -1,8 +1,8 @@
-"""The likelihood of bins of depth: linear parameters are marginalised in closed form.
+"""Likelihood of the bins of depth, with linear parameters marginalised in closed form.
 
 Depth of bin i = (1 + e) D_i + b + a c(D_i) + noise_i. The sensitivity e, the reference b and the
-modulus a are normal and common to all bins; the effect of the modulus is that at the depth which a
-hypothesis predicts, since at the measured one it would correlate with the noise. For the
+modulus a are normal and common to all bins; the effect of the modulus is evaluated at the depth
+predicted by the hypothesis, as at the measured one it would correlate with the noise. For the
 noise see ``rigapp_model.identification.noise``.
 """
 
@@ -24,9 +24,9 @@ LN_TWO_PI = float(np.log(2.0 * np.pi))
 class Fitted:
     """Normal parameters of H hypotheses given the bins, for J kinds of noise.
 
-    log_evidence (J, H): with all of them integrated out; step (J, H, k): their mean less where
-    they were linearised; covariance (J, H, k, k); left (J, H, S): what ``Noise.onward`` makes of
-    the remaining misfit; pulled (J, H, S, k): and of each parameter.
+    log_evidence (J, H): with the parameters integrated out; step (J, H, k): their mean relative to
+    the point of linearisation; covariance (J, H, k, k); left (J, H, S): ``Noise.onward`` applied to
+    the residual misfit; pulled (J, H, S, k): and to the slopes of each parameter.
     """
 
     log_evidence: Array
@@ -38,10 +38,10 @@ class Fitted:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Linearised:
-    """H hypotheses where they are linearised in k parameters, whose prior is normal.
+    """H hypotheses, linearised in k parameters with a normal prior.
 
-    misfit (H, n): depth less the predicted one, m; columns (H, k, n): slopes; off (H, k): the
-    prior's mean less that point; precision (k, k): the prior's.
+    misfit (H, n): measured less predicted depth, m; columns (H, k, n): slopes; off (H, k): prior
+    mean relative to the point of linearisation; precision (k, k): of the prior.
     """
 
     misfit: Array
@@ -50,13 +50,13 @@ class Linearised:
     precision: Array
 
     def along(self, noise: Noise) -> Array:
-        """Return slopes and misfit, (J, H, k + 1, n), in units in which the noise is white."""
+        """Return whitened slopes and misfit, (J, H, k + 1, n)."""
         rows = np.concatenate([self.columns, self.misfit[:, None]], axis=1)
         count, k, n = rows.shape
         return (rows.reshape(-1, n) @ noise.root).reshape(-1, count, k, n)
 
     def normal_equations(self, noise: Noise, along: Array) -> tuple[Array, Array, Array]:
-        """Return matrix (J, H, k, k), right side (J, H, k), and square of the misfit (J, H)."""
+        """Return matrix (J, H, k, k), right side (J, H, k), and squared misfit (J, H)."""
         k = self.columns.shape[1]
         product = along @ along.swapaxes(2, 3)
         pull = self.off @ self.precision
@@ -65,13 +65,13 @@ class Linearised:
 
 
 def best_step(noise: Noise, at: Linearised) -> Array:
-    """Return the most probable parameters less where they are linearised, (J, H, k)."""
+    """Return the most probable parameters relative to the point of linearisation, (J, H, k)."""
     matrix, right, _ = at.normal_equations(noise, at.along(noise))
     return swept(matrix, right)[1]
 
 
 def fitted(noise: Noise, at: Linearised) -> Fitted:
-    """Integrate the parameters out, in closed form."""
+    """Marginalise the parameters in closed form."""
     k, n = at.columns.shape[1:]
     along = at.along(noise)
     matrix, right, square = at.normal_equations(noise, along)
@@ -91,22 +91,22 @@ def fitted(noise: Noise, at: Linearised) -> Fitted:
 
 
 def swept(matrix: Array, right: Array) -> tuple[Array, Array, Array]:
-    """Return inverse, solution and logarithm of the determinant of many small positive matrices.
+    """Return inverse, solution and log determinant of many small positive matrices.
 
-    matrix (J, H, k, k), right (J, H, k). All are swept at once, a column after the other (J. H.
-    Goodnight, Am. Stat. 33 (1979) 149-158), where LAPACK would be called for each.
+    matrix (J, H, k, k), right (J, H, k). The sweep operator, column by column, is applied to all at
+    once (J. H. Goodnight, Am. Stat. 33 (1979) 149-158), where LAPACK would be called for each.
     """
     k = matrix.shape[-1]
-    left = np.ascontiguousarray(matrix.reshape(-1, k, k).transpose(1, 2, 0))
-    log_determinant = np.zeros(left.shape[2])
+    tableau = np.ascontiguousarray(matrix.reshape(-1, k, k).transpose(1, 2, 0))
+    log_determinant = np.zeros(tableau.shape[2])
     for i in range(k):
-        pivot = left[i, i].copy()
+        pivot = tableau[i, i].copy()
         log_determinant += np.log(pivot)
-        row = left[i] / pivot
-        column = left[:, i].copy()
-        left -= column[:, None] * row
-        left[i], left[:, i] = row, -column / pivot
-        left[i, i] = 1.0 / pivot
-    inverse = left.transpose(2, 0, 1).reshape(matrix.shape)
+        row = tableau[i] / pivot
+        column = tableau[:, i].copy()
+        tableau -= column[:, None] * row
+        tableau[i], tableau[:, i] = row, -column / pivot
+        tableau[i, i] = 1.0 / pivot
+    inverse = tableau.transpose(2, 0, 1).reshape(matrix.shape)
     solution = (inverse @ right[..., None])[..., 0]
     return inverse, solution, log_determinant.reshape(matrix.shape[:-2])

@@ -1,4 +1,4 @@
-"""The disturbances of a test's probes by the bins: creep, a slow swing, steps, coloured noise."""
+"""Disturbances of a test's probes, from the bins: creep, slow swing, steps, correlated noise."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ Array = NDArray[np.float64]
 CREEP_NAME, SWING_NAME, STEP_NAME = "creep", "swing", "step"
 COLOUR_NAME, HEAT_NAME = "correlated noise", "temperature"
 FOUND = 0.95
-"""Probability from which a disturbance counts as found."""
+"""Probability from which a disturbance is reported."""
 SIGMAS = 2.0
-"""Standard uncertainties from 0 beyond which creep, heat or a step counts as present."""
+"""Standard uncertainties from 0 beyond which creep and the effect of temperature are reported."""
 
 
 @dataclass(frozen=True, slots=True)
 class Disturbance:
-    """A disturbance of the probes.
+    """Disturbance of the probes.
 
-    name: one of those above; size: m a decade of creep, m a kelvin, amplitude of a swing, m of a
-    step with its sign, standard deviation of correlated noise; doubt: standard uncertainty of it,
-    m; revolutions: the swing's period, the revolution of the step, the length of the correlation,
-    revolutions, 0 of creep and temperature; probability: of its presence.
+    name: a constant above; size: m, of creep per decade, of temperature per kelvin, amplitude of a
+    swing, signed step, standard deviation of correlated noise; doubt: standard uncertainty of size,
+    m; revolutions: period of the swing, revolution of the step, correlation length; 0 for creep and
+    temperature; probability: of its presence.
     """
 
     name: str
@@ -39,7 +39,7 @@ class Disturbance:
 
 
 def disturbances(weights: Sequence[float], nodes: Sequence[Nodes]) -> tuple[Disturbance, ...]:
-    """Return the disturbances by all statements, given by weights and nodes."""
+    """Return the disturbances averaged over all statements, given by weights and nodes."""
     weight = np.concatenate([w * n.weight for w, n in zip(weights, nodes, strict=True)])
     weight = weight / weight.sum()
     states = np.concatenate([n.left for n in nodes])

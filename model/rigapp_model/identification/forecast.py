@@ -1,6 +1,6 @@
-"""Forecasts for this specimen and for the next one of its kind.
+"""Forecasts for this specimen and for the next one of its pairing.
 
-Revolutions that remain to a depth, the band in which depth will lie, the scatter of specimens.
+Remaining revolutions to a depth, band of the future depth, scatter between specimens.
 """
 
 from __future__ import annotations
@@ -24,25 +24,25 @@ from rigapp_model.identification.shapes import HEAT, SWING, WARMTH, Moments, sha
 Array = NDArray[np.float64]
 
 SHARE, ROUGH_SHARES = 1.0 - 1e-3, (0.97, 0.995)
-"""Nodes that hold this share of the posterior decide its 95 % limits to a hundredth of a sigma, and
-those that hold the others where they are, first and then."""
+"""Share of the posterior in the nodes used: sets the 95 % limits to a hundredth of a sigma; shares
+of the two preceding passes that locate the limits."""
 MARGIN = 4.0
-"""Standard uncertainties by which the life must pass a depth for its limits to be known."""
+"""Standard uncertainties beyond a depth up to which the life must be computed for its limits."""
 TIMES = 32
-"""Revolutions at which the probability of a depth is computed first; then where it is as in NEAR,
-twice."""
+"""Number of revolutions at which the probability of a depth is computed first; two passes refine
+them at the probabilities NEAR."""
 AROUND = (-0.2, -0.08, -0.03, -0.012, -0.004, 0.0, 0.004, 0.012, 0.03, 0.08, 0.2)
 SWING_COLUMNS = (3, 4)
-"""Of cosine and sine, behind the level, the noise and the creep."""
+"""States of cosine and sine, after the level, the noise and the creep."""
 LEVELS = (0.025, 0.5, 0.975)
 NEAR = np.unique([np.clip(level + np.array(AROUND), 1e-3, 0.999) for level in LEVELS])
 
 
 @dataclass(frozen=True, slots=True)
 class Remaining:
-    """The remaining revolutions until the depth (m) is reached; None with a reason in words.
+    """Remaining revolutions until the depth (m) is reached; None with the reason as text.
 
-    high is infinite where the computed life does not hold it.
+    high is infinite if it is beyond the computed life.
     """
 
     depth: float
@@ -54,7 +54,7 @@ class Remaining:
 class Band:
     """Median and 95 % limits of the depth (n,), m, at revolutions (n,).
 
-    NaN where it is beyond what the model computes.
+    NaN beyond the computed life.
     """
 
     revolution: Array
@@ -70,12 +70,12 @@ def remaining(
     rate: float | None = None,
     measured: bool = True,
 ) -> Remaining:
-    """Return the revolutions that remain to a depth, m, with 95 % limits.
+    """Return the remaining revolutions to a depth, m, with 95 % limits.
 
-    rate: progress of a future revolution, nominal cycles, by default that of the last ones;
-    measured: whether the depth is a reading of the probes, as for a stop criterion, with their
-    errors so far, or the depth itself, whose uncertainty contains that of the sensitivity and the
-    reference. It is by all statements with their weights.
+    rate: progress per future revolution, nominal cycles, by default that of the last ones;
+    measured: True for a reading of the probes, as in a stop criterion, with their present errors;
+    False for the true depth, with the uncertainty of sensitivity and reference. Averaged over all
+    statements with their weights.
     """
     require_positive("depth", depth, "m")
     known, errors = identification, identification.errors
@@ -94,15 +94,15 @@ def remaining(
         )
     rate = known.rate if rate is None else rate
     require_positive("rate", rate)
-    believed = _believed(known)
-    slowest = min(float(nodes.hypotheses.log_coefficient.min()) for _, nodes in believed)
+    weighted = _weighted_nodes(known)
+    slowest = min(float(nodes.hypotheses.log_coefficient.min()) for _, nodes in weighted)
     farthest = life.course.progress[-1] * np.exp(-slowest) / rate
     ahead = np.concatenate([[0.0], np.geomspace(1.0, max(farthest, 10.0), TIMES - 1)])
     for share in ROUGH_SHARES:
-        rough = [(weight, nodes.heaviest(share)) for weight, nodes in believed]
-        reached = _reached(known, life, rough, ahead, rate, depth, measured)
+        rough = [(weight, nodes.heaviest(share)) for weight, nodes in weighted]
+        reached = _probability_reached(known, life, rough, ahead, rate, depth, measured)
         ahead = np.unique(np.concatenate([ahead[[0, -1]], np.interp(NEAR, reached, ahead)]))
-    reached = _reached(known, life, believed, ahead, rate, depth, measured)
+    reached = _probability_reached(known, life, weighted, ahead, rate, depth, measured)
     limits = [
         float(np.interp(level, reached, ahead)) if reached[-1] >= level else float("inf")
         for level in LEVELS
@@ -112,37 +112,37 @@ def remaining(
     return Remaining(depth, Credible(limits[1], limits[0], limits[2]))
 
 
-def _believed(known: Identification) -> list[tuple[float, Nodes]]:
-    """Return the statements of a forecast: weights, which sum up to 1, and nodes."""
+def _weighted_nodes(known: Identification) -> list[tuple[float, Nodes]]:
+    """Return weights, with a sum of 1, and nodes of the statements used."""
     verdicts = [verdict for verdict in known.verdicts if verdict.weight > 1e-4]
     total = sum(verdict.weight for verdict in verdicts)
     return [(verdict.weight / total, verdict.nodes.heaviest(SHARE)) for verdict in verdicts]
 
 
-def _reached(
+def _probability_reached(
     known: Identification,
     life: DepthLife,
-    believed: list[tuple[float, Nodes]],
+    weighted: list[tuple[float, Nodes]],
     ahead: Array,
     rate: float,
     depth: float,
     measured: bool,
 ) -> Array:
-    """Return the probability that the depth is reached some revolutions ahead (n,)."""
+    """Return the probability that the depth is reached after more revolutions ``ahead`` (n,)."""
     chance = np.zeros(ahead.size)
-    for weight, nodes in believed:
+    for weight, nodes in weighted:
         at = known.revolution + ahead
         mean, deviation = _depths(known, life, nodes, at, rate, measured)
         if measured:
-            mean = mean + _to_crest(nodes, at, known.revolution)
+            mean = mean + _crest_height(nodes, at, known.revolution)
         chance += weight * (nodes.weight @ ndtr((mean - depth) / deviation))
     return np.maximum.accumulate(chance)
 
 
-def _to_crest(nodes: Nodes, at: Array, now: float) -> Array:
-    """Return the height of a swing's crest above the swing at revolutions (H, n), m, 0 without one.
+def _crest_height(nodes: Nodes, at: Array, now: float) -> Array:
+    """Return a swing's crest relative to its value at revolutions (H, n), m, 0 without a swing.
 
-    A reading that swings reaches a depth first at a crest; one of them is passed in each period.
+    With a swing, the readings first reach a depth at a crest, which occurs once per period.
     """
     period = np.where(nodes.kinds.period > 0.0, nodes.kinds.period, np.inf)[:, None]
     cosine, sine = (nodes.left[:, column, None] for column in SWING_COLUMNS)
@@ -154,10 +154,10 @@ def _to_crest(nodes: Nodes, at: Array, now: float) -> Array:
 def _depths(
     known: Identification, life: DepthLife, nodes: Nodes, at: Array, rate: float, measured: bool
 ) -> tuple[Array, Array]:
-    """Return mean and standard deviation of the depth (H, n), m, by each node at revolutions (n,).
+    """Return mean and standard deviation of the depth (H, n), m, of each node at revolutions (n,).
 
-    The drift continues from the last bin as a random walk, and the correlated noise decays to none.
-    The temperature is the mean so far, with its spread.
+    The drift continues from the last bin as a random walk, and the correlated noise decays. The
+    temperature is the mean so far, with its spread.
     """
     progress = known.progress + rate * (at - known.revolution)
     worn, slopes = life.depth(progress, nodes.hypotheses.scaled(np.zeros(0)))
@@ -170,36 +170,38 @@ def _depths(
     columns[:, :, 0], columns[:, :, 1] = by_ratio, known.sensitivity * worn
     columns[:, :, 2], columns[:, :, 3] = known.errors.reference, life.elastic_doubt(worn)
     kinds, heat = nodes.kinds, 2 + HEAT
-    usual, spread = _warmth(known)
+    usual, spread = _temperature_moments(known)
     warm = np.full(at.size, usual)
-    falls = np.exp(-np.maximum(at - known.revolution, 0.0) / kinds.length[:, None])
-    # Many nodes have few shapes.
+    decay = np.exp(-np.maximum(at - known.revolution, 0.0) / kinds.length[:, None])
+    # Many nodes have the same shapes.
     rows = np.column_stack([kinds.period, kinds.jump, kinds.creeps])
     _, first, which = np.unique(rows, axis=0, return_index=True, return_inverse=True)
-    some = kinds.at(first)
-    each = shapes(some.period, some.jump, some.creeps, nodes.steps, Moments(at, at, warm))
+    distinct = kinds.at(first)
+    each = shapes(
+        distinct.period, distinct.jump, distinct.creeps, nodes.steps, Moments(at, at, warm)
+    )
     onward = np.empty((*worn.shape, 2 + each.shape[1]))
-    onward[:, :, 0], onward[:, :, 1] = 1.0, falls
+    onward[:, :, 0], onward[:, :, 1] = 1.0, decay
     onward[:, :, 2:] = each.swapaxes(1, 2)[which.ravel()]
     mean = (
         worn
         + (columns @ nodes.mean[:, :, None])[:, :, 0]
         + (onward @ nodes.left[:, :, None])[:, :, 0]
     )
-    apart = columns - onward @ nodes.pulled
+    difference = columns - onward @ nodes.pulled
     walked = np.log(np.maximum(at, 1.0)) - known.readings.walked[-1]
     variance = (
-        ((apart @ nodes.covariance) * apart).sum(axis=2)
+        ((difference @ nodes.covariance) * difference).sum(axis=2)
         + ((onward @ nodes.spare) * onward).sum(axis=2)
-        + kinds.size[:, None] ** 2 * (1.0 - falls**2)
+        + kinds.size[:, None] ** 2 * (1.0 - decay**2)
         + kinds.strength[:, None] ** 2 * np.maximum(walked, 0.0)
         + (WARMTH * spread) ** 2 * (nodes.left[:, heat] ** 2 + nodes.spare[:, heat, heat])[:, None]
     )
     return mean, np.sqrt(variance)
 
 
-def _warmth(known: Identification) -> tuple[float, float]:
-    """Return mean and standard deviation of the temperature beside the first bin, K."""
+def _temperature_moments(known: Identification) -> tuple[float, float]:
+    """Return mean and standard deviation of the temperature relative to the first bin, K."""
     by = known.readings
     weight = (by.revolution - by.begin) / (by.revolution - by.begin).sum()
     mean = float(weight @ by.warm)
@@ -213,7 +215,7 @@ def predictive_band(
     rate: float | None = None,
     measured: bool = True,
 ) -> Band:
-    """Return median and 95 % limits of the depth at coming revolutions (n,).
+    """Return median and 95 % limits of the depth at future revolutions (n,).
 
     rate, measured: as for ``remaining``; without the scatter of a single reading.
     """
@@ -222,7 +224,7 @@ def predictive_band(
     rate = known.rate if rate is None else rate
     parts = [
         (weight * nodes.weight, *_depths(known, life, nodes, at, rate, measured))
-        for weight, nodes in _believed(known)
+        for weight, nodes in _weighted_nodes(known)
     ]
     weight, mean, deviation = (np.concatenate([part[k] for part in parts]) for k in range(3))
     low, high = (mean - 5.0 * deviation).min(axis=0), (mean + 5.0 * deviation).max(axis=0)
@@ -238,7 +240,7 @@ def predictive_band(
 def _level(
     level: float, weight: Array, mean: Array, deviation: Array, low: Array, high: Array
 ) -> Array:
-    """Return the depth (n,), m, that a mixture of normals is below with a probability."""
+    """Return a quantile (n,), m, of a mixture of normals."""
     for _ in range(20):  # a millionth of the range from low to high
         middle = 0.5 * (low + high)
         below = weight @ ndtr((middle - mean) / deviation) < level * weight.sum()
@@ -246,32 +248,31 @@ def _level(
     return 0.5 * (low + high)
 
 
-# Many specimens of one pairing: their scatter, and the prediction for the next one.
+# Several specimens of one pairing: their scatter, and the prediction for the next one.
 #
 # Estimates y_i = ln K_i with y_i = mu + d_i + c_i e + r_i: d_i between specimens, normal with
-# deviation tau; r_i of one test alone; e of the probes' sensitivity, the same for all tests with
-# one calibration record, so that it does not average out, as that of the load does not. mu is
-# marginalised with a flat prior, tau on a grid (A. Gelman et al., Bayesian Data Analysis, 3rd ed.
-# 2013, section 5.4, with common errors).
+# deviation tau; r_i of one test; e of the probes' sensitivity, common to all tests with the same
+# calibration record, so that it does not average out, like that of the load. mu is marginalised
+# with a flat prior, tau on a grid (A. Gelman et al., Bayesian Data Analysis, 3rd ed. 2013,
+# section 5.4, with common errors).
 
 USUAL_SCATTER = 0.5
 """Scale of tau's half-normal prior: two specimens in three within a factor of 1.6 [assumed]."""
 REACH = 5.0
-"""Largest tau of the grid over the scale; a half-normal has 6e-7 beyond."""
+"""End of the grid of tau, in scales; a half-normal has 6e-7 beyond."""
 GRID = 250
-"""Points over tau: one each hundredth of K is finer than any test resolves."""
+"""Points over tau: steps of a hundredth of K, finer than any test resolves."""
 LEAST_LEARNT = 0.1
-"""Least share of the posterior's precision by a test's own readings."""
+"""Least share of the readings of a test in the precision of the posterior."""
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """The estimate of ln K by one test, without its prior.
+    """Estimate of ln K from one test, without its prior.
 
-    log_coefficient: ln(K / (m^2/N)); spread: its standard uncertainty; common: part of that by the
-    sensitivity of the probes, with its sign; record: name of the record that it is from;
-    load: relative standard uncertainty of the load, which all tests of a rig have in common, and
-    which spread does not hold.
+    log_coefficient: ln(K / (m^2/N)); spread: its standard uncertainty; common: signed part of that
+    due to the sensitivity of the probes; record: name of the record of that; load: relative
+    standard uncertainty of the load, common to all tests of a rig and not in spread.
     """
 
     log_coefficient: float
@@ -283,11 +284,11 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True)
 class Pairing:
-    """The result of several specimens for their pairing.
+    """Result of several specimens for their pairing.
 
-    coefficient: of the median specimen, next: of the next specimen, m^2/N; scatter: factor by which
-    one standard deviation of the specimens differs from the median, exp(tau); prior: for the
-    next test; each: estimates of the specimens, each with those of the others (m^2/N).
+    coefficient: of the median specimen, next: of the next specimen, m^2/N; scatter: factor of one
+    standard deviation between specimens, exp(tau); prior: for the next test; each: posterior
+    estimates of the specimens, given all of them (m^2/N).
     """
 
     coefficient: Credible
@@ -298,8 +299,8 @@ class Pairing:
 
 
 def estimate_of(known: Identification, record: str) -> Estimate:
-    """Return the estimate of a test; raise NotIdentifiable where it has too little data."""
-    values, weights, seen = _seen(known)
+    """Return the estimate of a test; raise NotIdentifiable with too little data."""
+    values, weights, sensitivity = _coefficient_and_sensitivity(known)
     mean, spread = known.mean, known.spread
     before = known.prior.spread**-2
     precision = spread**-2 - before
@@ -311,7 +312,7 @@ def estimate_of(known: Identification, record: str) -> Estimate:
             )
         )
     alone = (mean * spread**-2 - np.log(known.prior.coefficient) * before) / precision
-    common = float(weights @ ((values - weights @ values) * (seen - weights @ seen)))
+    common = float(weights @ ((values - weights @ values) * (sensitivity - weights @ sensitivity)))
     common *= spread**-2 / precision
     own = float(np.hypot(precision**-0.5, known.errors.geometry))
     common = float(np.clip(common, -0.999 * own, 0.999 * own))
@@ -319,9 +320,9 @@ def estimate_of(known: Identification, record: str) -> Estimate:
 
 
 def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
-    """Return the pairing of some specimens; source: in words, for the prior.
+    """Return the result for a pairing; source: text for the prior.
 
-    One specimen is enough: its scatter is then the usual one. Raises NotIdentifiable for none.
+    With one specimen the scatter is the prior's. Raises NotIdentifiable without any.
     """
     if not estimates:
         raise NotIdentifiable(say("there is no test with a known wear coefficient"))
@@ -344,8 +345,8 @@ def pairing_of(estimates: Sequence[Estimate], source: str) -> Pairing:
     )
 
 
-def _seen(known: Identification) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0) now, weight and mean of e / u_e of the nodes of all statements."""
+def _coefficient_and_sensitivity(known: Identification) -> tuple[Array, Array, Array]:
+    """Return present ln(K/K0), weight and mean of e / u_e of the nodes of all statements."""
     nodes = [verdict.nodes for verdict in known.verdicts]
     weight = np.concatenate([verdict.weight * verdict.nodes.weight for verdict in known.verdicts])
     return (
@@ -356,18 +357,18 @@ def _seen(known: Identification) -> tuple[Array, Array, Array]:
 
 
 def _errors(estimates: Sequence[Estimate]) -> Array:
-    """Return the covariance (n, n) of the estimates about their own specimens."""
+    """Return the covariance (n, n) of the estimates relative to the true values."""
     common = np.array([estimate.common for estimate in estimates])
     names = np.array([estimate.record for estimate in estimates])
-    together = (names[:, None] == names[None, :]) * np.outer(common, common)
+    covariance = (names[:, None] == names[None, :]) * np.outer(common, common)
     load = np.array([estimate.load for estimate in estimates])
     own = np.diag([estimate.spread**2 - estimate.common**2 for estimate in estimates])
-    return np.asarray(together + np.outer(load, load) + own)
+    return np.asarray(covariance + np.outer(load, load) + own)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _ByScatter:
-    """For each tau (t,): likelihood, mean and variance of mu, those of specimens (t, n)."""
+    """For each tau (t,): likelihood, mean and variance of mu, and of the specimens (t, n)."""
 
     log_likelihood: Array
     centre: Array
@@ -377,23 +378,23 @@ class _ByScatter:
 
 
 def _by_scatter(y: Array, errors: Array, taus: Array) -> _ByScatter:
-    """Return the posterior for each tau (t,) by estimates (n,) with a covariance (n, n)."""
+    """Return the posterior for each tau (t,), from estimates (n,) with a covariance (n, n)."""
     values, vectors = np.linalg.eigh(errors)
     total = values + taus[:, None] ** 2
     inverse = np.einsum("ik,tk,jk->tij", vectors, 1.0 / total, vectors)
     row = inverse.sum(axis=2)
     variance = 1.0 / row.sum(axis=1)
     centre = variance * (row @ y)
-    left = y - centre[:, None]
-    rest = np.einsum("tij,tj->ti", inverse, left)
-    misfit = (left * rest).sum(axis=1)
+    residual = y - centre[:, None]
+    weighted = np.einsum("tij,tj->ti", inverse, residual)
+    misfit = (residual * weighted).sum(axis=1)
     log_likelihood = -0.5 * (np.log(total).sum(axis=1) - np.log(variance) + misfit)
-    # A specimen is mu + d, and d the share tau^2 / V of the residual; mu's uncertainty propagates.
+    # A specimen is mu + d; d is tau^2 / V times the residual; mu's uncertainty propagates.
     square = taus[:, None] ** 2
     along = 1.0 - square * row
     spare = square * (1.0 - square * np.einsum("tii->ti", inverse))
     spare = np.maximum(spare + variance[:, None] * along**2, 0.0)
-    return _ByScatter(log_likelihood, centre, variance, centre[:, None] + square * rest, spare)
+    return _ByScatter(log_likelihood, centre, variance, centre[:, None] + square * weighted, spare)
 
 
 def _mixture(weight: Array, centre: Array, variance: Array) -> Credible:
@@ -401,9 +402,9 @@ def _mixture(weight: Array, centre: Array, variance: Array) -> Credible:
     deviation = np.sqrt(np.maximum(variance, 1e-18))
     ends = (centre - 9.0 * deviation).min(), (centre + 9.0 * deviation).max()
 
-    def level(wanted: float) -> float:
+    def level(probability: float) -> float:
         def above(x: float) -> float:
-            return float(weight @ ndtr((x - centre) / deviation)) - wanted
+            return float(weight @ ndtr((x - centre) / deviation)) - probability
 
         return float(np.exp(brentq(above, *ends, xtol=1e-6)))
 

@@ -1,4 +1,4 @@
-"""The wear coefficient from a running test: posterior of each statement, compared by evidence."""
+"""Wear coefficient of a running test: posteriors of the statements, compared by evidence."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Credible:
-    """The median of a quantity with its 95 % credible limits."""
+    """Median of a quantity and its 95 % credible limits."""
 
     median: float
     low: float
@@ -38,11 +38,11 @@ class Credible:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Verdict:
-    """The result of one statement.
+    """Result of one statement.
 
-    weight: its probability among all; log_evidence; coefficient: now, m^2/N; before: the first,
-    after: the last, and transition: progress at which it changed or within which it ran in, nominal
-    cycles, None for a constant one.
+    weight: its probability among all; log_evidence; coefficient: present, m^2/N; before: the first,
+    after: the last, transition: progress of the change or of the running-in, nominal cycles; None
+    for a constant coefficient.
     """
 
     name: str
@@ -57,13 +57,13 @@ class Verdict:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Identification:
-    """The wear coefficient after some bins.
+    """Wear coefficient after some bins.
 
-    coefficient: now, by all statements with their weights, m^2/N; mean: of ln K; spread: its
-    standard deviation, without that of the load; verdicts: by statement, the most probable first;
-    drift: mean of its strength, m per root of ln n; readings: the bins; prior, errors: what they
-    were judged with; life_coefficient: K0, m^2/N; sensitivity: relative standard uncertainty, with
-    that of the life's computation; disturbances: of the probes, which the limits hold.
+    coefficient: present, averaged over all statements, m^2/N; mean: of ln K; spread: its standard
+    deviation, without that of the load; verdicts: by statement, the most probable first; drift:
+    mean of its strength, m per root of ln n; readings: the bins; prior, errors: as used;
+    life_coefficient: K0, m^2/N; sensitivity: relative standard uncertainty, including that of the
+    life's computation; disturbances: of the probes, included in the limits.
     """
 
     coefficient: Credible
@@ -85,10 +85,10 @@ class Identification:
 
     @property
     def rate(self) -> float:
-        """Return the progress of a revolution, nominal cycles, by the last two bins."""
+        """Return the progress per revolution, nominal cycles, over the last two bins."""
         by = self.readings
-        turned = float(by.revolution[-1] - by.revolution[-3])
-        return float(self.progress - by.progress[-3] - by.half[-3]) / turned
+        revolutions = float(by.revolution[-1] - by.revolution[-3])
+        return float(self.progress - by.progress[-3] - by.half[-3]) / revolutions
 
     @property
     def progress(self) -> float:
@@ -97,41 +97,41 @@ class Identification:
 
     @property
     def revolution(self) -> float:
-        """Return the last revolution that was taken into account."""
+        """Return the last revolution used."""
         return float(self.readings.revolution[-1])
 
     def density(self, points: int = 121) -> tuple[Array, Array]:
         """Return coefficients (points,), m^2/N, and the density of ln K there (points,)."""
         at = self.mean + np.linspace(-4.5, 4.5, points) * self.spread
         now = _coefficients(self.verdicts, self.progress)
-        edges, reached = distribution(*_with_load(*now, self.errors.scale))
-        by = np.interp(at - np.log(self.life_coefficient), edges, reached)
+        edges, cumulative = distribution(*_with_load(*now, self.errors.scale))
+        by = np.interp(at - np.log(self.life_coefficient), edges, cumulative)
         return np.exp(at), np.gradient(by, at)
 
 
 def distribution(values: Array, weights: Array, breadth: Array | float) -> tuple[Array, Array]:
-    """Return the corners of the distribution of values, and itself there; it is straight between.
+    """Return the nodes of the piecewise linear distribution function, and its values.
 
-    Each value is spread evenly over its breadth; weights sum up to 1.
+    Each value is distributed uniformly over its breadth; the sum of weights is 1.
     """
     wide = np.broadcast_to(np.maximum(breadth, 1e-9), values.shape)
     edges = np.concatenate([values - 0.5 * wide, values + 0.5 * wide])
     order = np.argsort(edges)
     density = np.cumsum(np.concatenate([weights / wide, -weights / wide])[order])
     edges = edges[order]
-    reached = np.cumsum(np.append(0.0, density[:-1] * np.diff(edges)))
-    return edges, np.maximum.accumulate(reached / reached[-1])
+    cumulative = np.cumsum(np.append(0.0, density[:-1] * np.diff(edges)))
+    return edges, np.maximum.accumulate(cumulative / cumulative[-1])
 
 
 def quantiles(values: Array, weights: Array, breadth: Array | float = 0.0) -> Credible:
     """Return median and 95 % limits of ``distribution``."""
-    edges, reached = distribution(values, weights, breadth)
-    low, median, high = np.interp([0.025, 0.5, 0.975], reached, edges)
+    edges, cumulative = distribution(values, weights, breadth)
+    low, median, high = np.interp([0.025, 0.5, 0.975], cumulative, edges)
     return Credible(float(median), float(low), float(high))
 
 
 LOADS = ndtri((np.arange(9) + 0.5) / 9.0)
-"""Errors of the load, in standard uncertainties, of equal probability."""
+"""Equally probable errors of the load, in standard uncertainties."""
 
 
 def _with_load(values: Array, weights: Array, breadth: Array, load: float) -> tuple[Array, ...]:
@@ -147,7 +147,7 @@ def _with_load(values: Array, weights: Array, breadth: Array, load: float) -> tu
 
 
 def _coefficients(verdicts: Sequence[Verdict], progress: float) -> tuple[Array, Array, Array]:
-    """Return ln(K/K0) now, weight and breadth of all nodes of some statements."""
+    """Return present ln(K/K0), weight and breadth of all nodes of the statements."""
     now = [v.nodes.now(progress) for v in verdicts]
     return (
         np.concatenate([value for value, _ in now]),
@@ -162,8 +162,8 @@ def identify(
 ) -> Identification:
     """Identify the wear coefficient from bins of the measured depth.
 
-    life: must be computed beyond the depth measured so far. Pure: the same bins give the same
-    numbers. Raises NotIdentifiable in words where nothing can be stated.
+    life: must be computed beyond the present depth. Deterministic. Raises NotIdentifiable with a
+    reason.
     """
     closed = bins.closed if isinstance(bins, Bins) else bins
     readings = readings_of(closed, errors)
@@ -222,7 +222,7 @@ def _verdict(
     now = quantiles(*_with_load(value, nodes.weight, breadth, load))
     before, after, transition = None, None, None
     if statement.spread:
-        # The ratio is normal given ln K: as broad as an even spread of the same variance.
+        # The ratio is normal given ln K: replaced by a uniform distribution of the same variance.
         breadth = np.sqrt(nodes.breadth**2 + 12.0 * nodes.covariance[:, 0, 0])
         first = quantiles(
             *_with_load(at.log_coefficient + nodes.log_ratio, nodes.weight, breadth, load)
@@ -244,7 +244,7 @@ def _verdict(
 
 
 def _scaled(logarithm: Credible, unit: float) -> Credible:
-    """Return limits of a quantity from those of its logarithm, in a unit."""
+    """Return the limits of a quantity, in a unit, from those of its logarithm."""
     return Credible(
         *(unit * float(np.exp(x)) for x in (logarithm.median, logarithm.low, logarithm.high))
     )

@@ -1,10 +1,9 @@
-"""The noise of the bins of depth: scatter, correlated noise, and a slow drift.
+"""Noise of the bins of depth: scatter, correlated noise, and slow drift.
 
 Noise of bin i = w_i + c_i + r_i: w is a random walk in the logarithm of revolutions; c an
-autoregressive process (G. E. Uhlenbeck, L. S. Ornstein, Phys. Rev. 36 (1930) 823-841) of some size,
-whose correlation falls by e in some number of revolutions; r is white. Their strengths are
-unknown: a table of them is compared by the marginal likelihood of bins and of the spread
-of readings within bins.
+autoregressive process (G. E. Uhlenbeck, L. S. Ornstein, Phys. Rev. 36 (1930) 823-841) with a size
+and a correlation length; r is white. Their strengths are unknown: a table of them is compared by
+the marginal likelihood of the bins and of the spread of readings within bins.
 """
 
 from __future__ import annotations
@@ -26,18 +25,18 @@ Array = NDArray[np.float64]
 EXPECTED_FREEDOM = 4.0
 """Weight of the scatter stated by the record, in groups of readings."""
 LEAST_BINS = 4
-"""With fewer, reference, sensitivity and coefficient cannot be separated from the scatter."""
+"""Fewest bins that separate reference, sensitivity and coefficient from the scatter."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DepthBins:
-    """The bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
+    """Bins as arrays (n,): depth (m), progress, half its width, last revolution, noise.
 
-    begin: revolutions before the bin; middle: revolution in the middle of it; walked, alone (n,):
-    mean of ln n over it, and that of the smaller of two ln n; noise: standard uncertainty of each
-    bin's mean by its scatter, m, were it white; scatter: of one reading, m; spread: of groups of
-    readings within the bins; warm (n,): temperature beside the first bin, K, 0 where not known;
-    warm_zero: of the first bin, degC, None where not known of all.
+    begin: revolutions before the bin; middle: its middle revolution; walked, alone (n,): mean of
+    ln n over it, and of the smaller of two ln n; noise: standard uncertainty of each bin's mean due
+    to its scatter, m, if white; scatter: of one reading, m; spread: of groups of readings within
+    the bins; warm (n,): temperature relative to the first bin, K, 0 if unknown; warm_zero: of the
+    first bin, degC, None unless all are known.
     """
 
     depth: Array
@@ -56,12 +55,12 @@ class DepthBins:
 
     @property
     def moments(self) -> Moments:
-        """Return what ``shapes`` takes."""
+        """Return the argument of ``shapes``."""
         return Moments(self.begin, self.revolution, self.warm)
 
 
 def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
-    """Return the bins as arrays; raise NotIdentifiable where they are too few."""
+    """Return the bins as arrays; raise NotIdentifiable if there are too few."""
     if len(bins) < LEAST_BINS:
         raise NotIdentifiable(
             say(
@@ -76,7 +75,7 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
     depth, progress, first, last, revolution, count, squares = rows.T
     freedom = EXPECTED_FREEDOM + sum(b.freedom for b in bins)
     scatter = float(np.sqrt((EXPECTED_FREEDOM * errors.scatter**2 + squares.sum()) / freedom))
-    # Progress within a bin is as even as its revolutions.
+    # Within a bin, progress is proportional to revolutions.
     turn = revolution / np.maximum(last, 1e-300)
     low = np.minimum(np.maximum(first * turn, 1.0), revolution)
     walked, alone = _mean_logarithms(low, revolution)
@@ -100,22 +99,23 @@ def readings_of(bins: Sequence[Bin], errors: ProbeErrors) -> DepthBins:
 
 
 STRENGTHS = (1.0, 2.5, 6.3)
-"""Strengths of the drift compared, in units of the record's lower bound."""
+"""Strengths of the drift that are compared, in units of the record's lower bound."""
 STRENGTH_DECAY = 4.0
-"""Each next strength is less probable beforehand by exp of this: the record is trusted."""
+"""Log ratio of the prior probabilities of consecutive strengths: confidence in the record."""
 CREEP_SHARE = 0.2
-"""Probability beforehand that bushing or probes creep beside the drift that the record states."""
+"""Prior probability that bushing or probes creep in addition to the record's drift."""
 LEAST_KIND = 8.5
-"""Kinds less probable than the best by exp of this, by the spread within bins, are left out."""
+"""Log of the ratio to the most probable kind, by the spread within bins, up to which others are
+used."""
 LEAST_DRIFT = 1e-9
-"""A record without drift counts as one of so little, m: the table of strengths needs a unit."""
+"""Drift of a record without one, m: the unit of the table of strengths."""
 
 
 def _mean_logarithms(low: Array, high: Array) -> tuple[Array, Array]:
-    """Return the means of ln u and of the smaller of two ln u, u evenly between low and high.
+    """Return the means of ln u and of the smaller of two ln u, u uniform between low and high.
 
-    The effect of a random walk in ln n on the mean of a bin: its covariance with later ones, and
-    its variance, which is less than that of any moment in the bin.
+    For the mean of a random walk in ln n over a bin, these are its covariance with later bins and
+    its variance.
     """
     wide = np.maximum(high - low, 1e-6 * high)
     first, last = np.log(low), np.log(low + wide)
@@ -132,8 +132,8 @@ class Kinds:
 
     strength: of the drift, m per root of ln n; creeps: 1 with creep, else 0; scatter, size, length:
     see ``Colours``; period: of a slow swing, revolutions, 0 for none; jump (J, 2): first and last
-    revolution of the bin in which there is a step instead, 0 for none; log_prior: with the evidence
-    of the spread within bins.
+    revolution of a bin with a step instead of a swing, 0 for none; log_prior: including the
+    evidence of the spread within bins.
     """
 
     strength: Array
@@ -146,18 +146,18 @@ class Kinds:
     log_prior: Array
 
     def at(self, index: NDArray[np.int64]) -> Kinds:
-        """Return some kinds only."""
+        """Return the selected kinds."""
         return Kinds(*(getattr(self, field.name)[index] for field in fields(self)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Noise:
-    """The covariance of n bins by J kinds of noise.
+    """Covariance of n bins for J kinds of noise.
 
-    steps (s, 2): first and last revolution of bins in which all have a step; root (J, n, n): of the
+    steps (s, 2): first and last revolution of bins with a step in all kinds; root (J, n, n): of the
     inverse covariance; log_determinant (J,): of the covariance; onward (J, S, n): weights of
-    whitened bins in S states: the drift of the last bin, the correlated noise at its end, and the
-    amplitudes of ``shapes``; spare (J, S, S): their covariance given the bins.
+    whitened bins in S states, which are the drift of the last bin, the correlated noise at its end
+    and the amplitudes of ``shapes``; spare (J, S, S): their covariance given the bins.
     """
 
     kinds: Kinds
@@ -168,7 +168,7 @@ class Noise:
     spare: Array
 
     def at(self, index: NDArray[np.int64]) -> Noise:
-        """Return some kinds of noise only."""
+        """Return the selected kinds of noise."""
         return Noise(
             self.kinds.at(index),
             self.steps,
@@ -180,12 +180,12 @@ class Noise:
 
 
 def possible_kinds(readings: DepthBins, drift: float, period: Array) -> tuple[Kinds, Array]:
-    """Return kinds of noise without a swing, and the logarithm of their weight (J, P) beside some.
+    """Return kinds of noise without a swing, and their log weights (J, P) with swings.
 
-    drift: lower bound of its strength; period (P,): of swings, revolutions, the first one 0.
+    drift: lower bound of its strength; period (P,): of the swings, revolutions, the first one 0.
     """
     colours = colours_of(readings.spread, period)
-    # Creep beside a drift larger than the record's would be two explanations of one effect.
+    # Creep together with a drift above the record's would be two explanations of one effect.
     strengths = max(drift, LEAST_DRIFT) * np.array([*STRENGTHS, STRENGTHS[0]])
     creeps = np.arange(strengths.size) == len(STRENGTHS)
     of_drift = np.where(creeps, 0.0, -STRENGTH_DECAY * np.arange(strengths.size))
@@ -209,49 +209,49 @@ def possible_kinds(readings: DepthBins, drift: float, period: Array) -> tuple[Ki
 
 
 def covariance_of(readings: DepthBins, kinds: Kinds) -> Array:
-    """Return the covariance (J, n, n) of the bins, m^2, without any shape."""
+    """Return the covariance (J, n, n) of the bins, m^2, without shapes."""
     walk = np.minimum(readings.walked[:, None], readings.walked)
     np.fill_diagonal(walk, readings.alone)
     total = covariance(kinds.size, kinds.length, readings.begin, readings.revolution)
     total += kinds.strength[:, None, None] ** 2 * walk
-    own = np.arange(walk.shape[0])
-    total[:, own, own] += kinds.scatter[:, None] ** 2 * (readings.noise / readings.scatter) ** 2
+    index = np.arange(walk.shape[0])
+    total[:, index, index] += kinds.scatter[:, None] ** 2 * (readings.noise / readings.scatter) ** 2
     return total
 
 
 def noise_of(readings: DepthBins, kinds: Kinds, steps: Array) -> Noise:
-    """Return the ``Noise`` of the bins by these kinds, with steps in some of them (s, 2)."""
+    """Return the ``Noise`` of the bins for these kinds, with steps in bins (s, 2)."""
     columns = shapes(kinds.period, kinds.jump, kinds.creeps, steps, readings.moments)
     total = covariance_of(readings, kinds) + columns.swapaxes(1, 2) @ columns
     lower = np.linalg.cholesky(total)
     root = np.linalg.inv(lower).swapaxes(1, 2)
     strength, size = kinds.strength, kinds.size
-    to_end = _to_end(kinds.length, readings)
+    end_correlation = _end_correlation(kinds.length, readings)
     rows = np.concatenate(
         [
             (strength[:, None] ** 2 * readings.walked)[:, None],
-            (size[:, None] ** 2 * to_end)[:, None],
+            (size[:, None] ** 2 * end_correlation)[:, None],
             columns,
         ],
         axis=1,
     )
     onward = rows @ root
-    before = np.zeros((strength.size, rows.shape[1], rows.shape[1]))
-    own = np.arange(2, rows.shape[1])
-    before[:, 0, 0], before[:, 1, 1] = strength**2 * readings.walked[-1], size**2
-    before[:, own, own] = 1.0
+    prior = np.zeros((strength.size, rows.shape[1], rows.shape[1]))
+    index = np.arange(2, rows.shape[1])
+    prior[:, 0, 0], prior[:, 1, 1] = strength**2 * readings.walked[-1], size**2
+    prior[:, index, index] = 1.0
     return Noise(
         kinds,
         steps,
         root,
         2.0 * np.log(np.diagonal(lower, axis1=1, axis2=2)).sum(axis=1),
         onward,
-        before - onward @ onward.swapaxes(1, 2),
+        prior - onward @ onward.swapaxes(1, 2),
     )
 
 
-def _to_end(length: Array, readings: DepthBins) -> Array:
-    """Return the correlation (J, n) of bins' means with the noise at the end of the last."""
+def _end_correlation(length: Array, readings: DepthBins) -> Array:
+    """Return the correlation (J, n) of bin means with the noise at the end of the last bin."""
     wide = (readings.revolution - readings.begin) / length[:, None]
     after = (readings.revolution[-1] - readings.revolution) / length[:, None]
     return np.asarray(np.exp(-after) * -np.expm1(-wide) / wide)

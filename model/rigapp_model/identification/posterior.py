@@ -1,4 +1,4 @@
-"""The posterior of a statement: a grid over ln K, with linear parameters integrated out."""
+"""Posterior of a statement: a grid over ln K, with linear parameters marginalised."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ from rigapp_model.identification.statements import RUNNING_IN_PLACES, Hypotheses
 Array = NDArray[np.float64]
 
 GRID = 61
-"""Points over ln K in the relevant range: two to a standard deviation."""
+"""Points over ln K in the relevant range: two per standard deviation."""
 RANGE = 5.0
-"""Half-width of the first grid in standard deviations of the prior."""
+"""Half width of the first grid, in standard deviations of the prior."""
 NEGLIGIBLE = 18.0
-"""What is less probable than the best by exp of this (1e-8) is left out."""
+"""Log of the ratio to the most probable (1e-8) beyond which nodes are omitted."""
 FINE_ENOUGH = 24
-"""Points of a grid within NEGLIGIBLE of the best for which sums over it are exact to 1e-4."""
+"""Points of a grid within NEGLIGIBLE of the best that make sums over it exact to 1e-4."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Nodes:
     """Hypotheses with their weights, and the normal parameters given each of them.
 
-    breadth (H,): interval of ln K of each, along which ln r changes by slope (H,) times it;
-    weight (H,); mean (H, 4) and covariance (H, 4, 4) of ln r less that of the hypothesis, e / u_e,
-    b / u_b and the modulus a; left (H, S), pulled (H, S, 4), and spare (H, S, S): the states of
-    ``Noise`` given them, their dependence on them, and the remaining covariance; kinds: of noise,
-    (H,); steps: see ``Noise``.
+    breadth (H,): interval of ln K of each, over which ln r changes by slope (H,) times it;
+    weight (H,); mean (H, 4) and covariance (H, 4, 4) of ln r relative to the hypothesis, e / u_e,
+    b / u_b and the modulus a; left (H, S), pulled (H, S, 4), and spare (H, S, S): states of
+    ``Noise`` given these, negative derivative with respect to them, and residual covariance;
+    kinds: of noise, (H,); steps: see ``Noise``.
     """
 
     hypotheses: Hypotheses
@@ -62,9 +62,9 @@ class Nodes:
         return self.hypotheses.log_ratio + self.mean[:, 0]
 
     def now(self, progress: float) -> tuple[Array, Array]:
-        """Return ln of the coefficient at a progress to K0, (H,), and its breadth.
+        """Return ln(K/K0) at a progress, (H,), and its breadth.
 
-        The normal spread within it is replaced by an even one of the same variance.
+        The normal distribution within it is replaced by a uniform one of the same variance.
         """
         at = self.hypotheses
         ratio, slope = at.statement.ratio_now(self.log_ratio, progress, at.transition)
@@ -81,13 +81,13 @@ class Nodes:
         return mean, float(np.sqrt(variance))
 
     def heaviest(self, share: float) -> Nodes:
-        """Return the heaviest nodes that hold a share of the weight; theirs sums up to 1 again."""
+        """Return the heaviest nodes with a share of the weight, normalised again."""
         order = np.argsort(-self.weight)
         count = int(np.searchsorted(np.cumsum(self.weight[order]), share)) + 1
         return self.at(order[:count])
 
     def at(self, index: NDArray[np.int64]) -> Nodes:
-        """Return some of the nodes; their weights sum up to 1 again."""
+        """Return the selected nodes, with weights normalised again."""
         weight = self.weight[index]
         return Nodes(
             self.hypotheses.at(index),
@@ -106,7 +106,7 @@ class Nodes:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class IdentificationInputs:
-    """The inputs of a posterior without the noise."""
+    """Inputs of a posterior without the noise."""
 
     readings: DepthBins
     life: DepthLife
@@ -120,11 +120,11 @@ class IdentificationInputs:
 
     @property
     def sensitivity(self) -> float:
-        """Return u_e with the life's own error, which acts alike, as a standard uncertainty."""
+        """Return u_e including the error of the life, which has the same effect."""
         return float(np.hypot(self.errors.sensitivity, self.life.relative_error / np.sqrt(3.0)))
 
     def depth(self, hypotheses: Hypotheses) -> tuple[Array, Array]:
-        """Return the depth of the bins by hypotheses, (H, n), m, and slopes by ln K and ln r."""
+        """Return the depth of the bins for hypotheses, (H, n), m, and slopes by ln K and ln r."""
         return self.life.depth(self.readings.progress, hypotheses.scaled(self.readings.half))
 
     def linear(self, depth: Array) -> Array:
@@ -133,7 +133,7 @@ class IdentificationInputs:
         return np.stack([self.sensitivity * depth, level, self.life.elastic_doubt(depth)], axis=1)
 
     def best_constant(self, constant: Statement) -> float:
-        """Return ln(K/K0) of the constant coefficient that fits best, all bins alike."""
+        """Return ln(K/K0) of the best constant coefficient, with independent bins."""
         weight = 1.0 / np.hypot(self.readings.noise, 0.01 * self.readings.depth + 1e-6)
         start = np.full(1, self.log_median)
         for _ in range(12):
@@ -149,13 +149,13 @@ class IdentificationInputs:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PosteriorInputs(IdentificationInputs):
-    """The inputs of a posterior."""
+    """Inputs of a posterior."""
 
     noise: Noise
 
 
 def constant_posterior(inputs: PosteriorInputs, statement: Statement) -> tuple[float, Nodes]:
-    """Return the logarithm of the evidence of a constant K, and its nodes."""
+    """Return the log evidence of a constant K, and its nodes."""
     centre, spread = inputs.log_median, inputs.prior.spread
     low, high = centre - RANGE * spread, centre + RANGE * spread
     while True:
@@ -169,21 +169,23 @@ def constant_posterior(inputs: PosteriorInputs, statement: Statement) -> tuple[f
         )
         log_density = -0.5 * (((grid - centre) / spread) ** 2 + LN_TWO_PI) - np.log(spread)
         log_post = fit.log_evidence + log_density + inputs.noise.kinds.log_prior[:, None]
-        counts = log_post > log_post.max() - NEGLIGIBLE
-        inside = np.flatnonzero(counts.any(axis=0))
+        relevant = log_post > log_post.max() - NEGLIGIBLE
+        inside = np.flatnonzero(relevant.any(axis=0))
         if inside.size >= FINE_ENOUGH:
             break
         low, high = grid[max(inside[0] - 1, 0)], grid[min(inside[-1] + 1, GRID - 1)]
-    _refuse_beyond(inputs, depth[:, -1], log_post)
+    _check_computed(inputs, depth[:, -1], log_post)
     step = float(grid[1] - grid[0])
     log_weight = log_post + np.log(step)
-    return kept(inputs.noise, hypotheses, fit, log_weight, np.full(GRID, step), np.zeros(GRID))
+    return relevant_nodes(
+        inputs.noise, hypotheses, fit, log_weight, np.full(GRID, step), np.zeros(GRID)
+    )
 
 
-def kept(
+def relevant_nodes(
     noise: Noise, at: Hypotheses, fit: Fitted, log_weight: Array, breadth: Array, slope: Array
 ) -> tuple[float, Nodes]:
-    """Return the logarithm of the sum of weights (J, H), and nodes of those that count."""
+    """Return the log of the sum of weights (J, H), and the nodes that are not negligible."""
     total = float(np.logaddexp.reduce(log_weight, axis=None))
     which, node = np.nonzero(log_weight > log_weight.max() - NEGLIGIBLE)
     weight = np.exp(log_weight[which, node] - log_weight.max())
@@ -208,10 +210,10 @@ def kept(
     )
 
 
-def _refuse_beyond(inputs: PosteriorInputs, depth: Array, log_post: Array) -> None:
-    """Raise NotIdentifiable where a relevant part of the posterior is not computed.
+def _check_computed(inputs: PosteriorInputs, depth: Array, log_post: Array) -> None:
+    """Raise NotIdentifiable if a relevant part of the posterior is beyond the computed life.
 
-    depth (H,): of the last bin by the hypotheses, m; log_post (J, H).
+    depth (H,): of the last bin for the hypotheses, m; log_post (J, H).
     """
     deepest = inputs.life.computed_depth
     share = np.exp(log_post - log_post.max()).sum(axis=0)
@@ -228,29 +230,29 @@ def _refuse_beyond(inputs: PosteriorInputs, depth: Array, log_post: Array) -> No
 
 # The posterior of running-in and of a change: a grid over the transition, and over ln K.
 #
-# The transition is a grid of cells in ln P, each of which is divided again while it counts. In each
-# the best (ln K, ln r) is found by Gauss-Newton; about it ln K is a grid, ln r is integrated out
+# The transition is a grid of cells in ln P; heavy cells are divided again. In each cell the best
+# (ln K, ln r) is found by Gauss-Newton; around it ln K is a grid, and ln r is marginalised together
 # with sensitivity and reference.
 
 RUNNING_IN_CELLS = 4
-"""Cells to a decade of running-in before they are divided: its course changes little in one."""
+"""Undivided cells per decade of running-in: the course changes little within one."""
 BINS_A_CELL = 2
-"""Of a change, before its cell is divided: within a bin the depth grows by a fifth only."""
+"""Bins per undivided cell of a change: within a bin the depth grows by a fifth only."""
 PARTS = 4
 DIVIDED = 2
-"""Parts into which a cell is divided, and how often."""
+"""Parts of a divided cell, and number of divisions."""
 COUNTS = 10.0
-"""A cell counts while it is less probable than the best by no more than exp of this."""
+"""Log of the ratio to the most probable cell or kind of noise up to which others are used."""
 DIVIDED_FROM = 0.2
-"""A cell is divided when it holds this share of the weight: where all are alike, none is sharp."""
+"""Share of the weight from which a cell is divided: with equal cells none is sharp."""
 LARGEST_STEP = 0.7
-"""Gauss-Newton changes K or r by a factor of 2 at most in a step."""
+"""Limit of a Gauss-Newton step: a factor of 2 of K or r."""
 FIRST_STEPS, MORE_STEPS = 4, 2
-"""Steps that converge to 1e-3 from a constant coefficient, and from a near cell's best."""
+"""Steps that converge to 1e-3 from a constant coefficient, and from the best of a near cell."""
 BREADTH = 4.0
-"""Half-width of the grid over ln K about a cell's best, in standard deviations."""
+"""Half width of the grid over ln K about a cell's best, in standard deviations."""
 LEAST_POINTS, MOST_POINTS, NODES = 7, 21, 100
-"""Points of that grid; 7 are exact to 1e-3 in sums over many cells. NODES: about all together."""
+"""Points of that grid, and in all cells together; 7 are exact to 1e-3 in sums over many cells."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -270,26 +272,26 @@ class Cells:
 
     @property
     def transition(self) -> Array:
-        """Return the middle of each, nominal cycles."""
+        """Return the middle of each cell, nominal cycles."""
         return np.exp(0.5 * (self.low + self.high))
 
     def at(self, index: NDArray[np.int64]) -> Cells:
-        """Return some of the cells."""
+        """Return the selected cells."""
         return Cells(*(getattr(self, field.name)[index] for field in fields(self)))
 
     @property
     def counting(self) -> Cells:
-        """Return those that count."""
+        """Return the cells that are not negligible (``COUNTS``)."""
         return self.at(np.flatnonzero(self.log_weight > self.log_weight.max() - COUNTS))
 
     def divided(self) -> Cells:
-        """Return the parts of each cell, with the results of the whole."""
+        """Return the parts of each cell, with the results of the undivided cell."""
         edges = np.linspace(self.low, self.high, PARTS + 1, axis=1)
-        again = self.at(np.repeat(np.arange(self.low.size), PARTS))
-        return replace(again, low=edges[:, :-1].ravel(), high=edges[:, 1:].ravel())
+        parts = self.at(np.repeat(np.arange(self.low.size), PARTS))
+        return replace(parts, low=edges[:, :-1].ravel(), high=edges[:, 1:].ravel())
 
     def joined(self, other: Cells) -> Cells:
-        """Return both."""
+        """Return the cells of both."""
         pairs = ((getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
         return Cells(*(np.concatenate(pair) for pair in pairs))
 
@@ -297,27 +299,27 @@ class Cells:
 def alternative_posterior(
     inputs: PosteriorInputs, statement: Statement, start: float
 ) -> tuple[float, Nodes]:
-    """Return the logarithm of the evidence of a statement with two coefficients, and its nodes.
+    """Return the log evidence of a statement with two coefficients, and its nodes.
 
-    start: ln(K/K0) to begin with.
+    start: initial ln(K/K0).
     """
     cells = _first_cells(inputs, statement, start)
     extent = float(cells.high[-1] - cells.low[0])
     first = inputs.noise.at(np.array([0]))
-    cells, noise = _settled(inputs, statement, first, cells.counting, FIRST_STEPS)
+    cells, noise = _converged(inputs, statement, first, cells.counting, FIRST_STEPS)
     for _ in range(DIVIDED):
         share = np.exp(cells.log_weight - np.logaddexp.reduce(cells.log_weight))
         wide = share > DIVIDED_FROM
         if not wide.any():
             break
         parts = cells.at(np.flatnonzero(wide)).divided()
-        parts, noise = _settled(inputs, statement, noise.at(np.array([0])), parts, MORE_STEPS)
+        parts, noise = _converged(inputs, statement, noise.at(np.array([0])), parts, MORE_STEPS)
         cells = cells.at(np.flatnonzero(~wide)).joined(parts).counting
     return _nodes(replace(inputs, noise=noise), statement, cells, extent)
 
 
 def _first_cells(inputs: PosteriorInputs, statement: Statement, start: float) -> Cells:
-    """Return cells for every possible transition, at a constant coefficient."""
+    """Return cells of all possible transitions, at a constant coefficient."""
     progress = inputs.readings.progress
     if statement.anywhere:
         end = progress[-1] + inputs.readings.half[-1]
@@ -327,30 +329,28 @@ def _first_cells(inputs: PosteriorInputs, statement: Statement, start: float) ->
         count = round(float(high - low) / np.log(10.0) * RUNNING_IN_CELLS)
         edges = np.linspace(low, high, count + 1)
     size = edges.size - 1
-    nothing = np.zeros(size)
-    return Cells(
-        edges[:-1], edges[1:], np.full(size, start), nothing, nothing, np.zeros((size, 5, 5))
-    )
+    zero = np.zeros(size)
+    return Cells(edges[:-1], edges[1:], np.full(size, start), zero, zero, np.zeros((size, 5, 5)))
 
 
-def _settled(
+def _converged(
     inputs: PosteriorInputs, statement: Statement, noise: Noise, cells: Cells, steps: int
 ) -> tuple[Cells, Noise]:
-    """Return the cells with the best coefficients after ``steps``, for one kind of noise.
+    """Return the cells with the best coefficients after Gauss-Newton ``steps``.
 
-    And the kinds of noise that count, the most probable first: the cells are by that one.
+    Also the relevant kinds of noise, the most probable first; the cells are for that one.
     """
     at = Hypotheses(statement, cells.log_coefficient, cells.log_ratio, cells.transition)
     for _ in range(steps):
         step = np.clip(
-            best_step(noise, _all_four(inputs, at))[0, :, :2], -LARGEST_STEP, LARGEST_STEP
+            best_step(noise, _linearise_all(inputs, at))[0, :, :2], -LARGEST_STEP, LARGEST_STEP
         )
         at = replace(
             at,
             log_coefficient=at.log_coefficient + step[:, 0],
             log_ratio=at.log_ratio + step[:, 1],
         )
-    fit = fitted(inputs.noise, _all_four(inputs, at))
+    fit = fitted(inputs.noise, _linearise_all(inputs, at))
     log_weight = (
         fit.log_evidence + np.log(cells.high - cells.low) + inputs.noise.kinds.log_prior[:, None]
     )
@@ -370,8 +370,8 @@ def _settled(
     ), inputs.noise.at(order)
 
 
-def _all_four(inputs: PosteriorInputs, at: Hypotheses) -> Linearised:
-    """Linearise some hypotheses in ln K, ln r, e, b and a."""
+def _linearise_all(inputs: PosteriorInputs, at: Hypotheses) -> Linearised:
+    """Linearise hypotheses in ln K, ln r, e, b and a."""
     depth, slopes = inputs.depth(at)
     columns = np.concatenate([slopes.swapaxes(0, 1), inputs.linear(depth)], axis=1)
     off = np.zeros((depth.shape[0], 5))
@@ -384,29 +384,29 @@ def _all_four(inputs: PosteriorInputs, at: Hypotheses) -> Linearised:
 def _nodes(
     inputs: PosteriorInputs, statement: Statement, cells: Cells, extent: float
 ) -> tuple[float, Nodes]:
-    """Return the evidence, and nodes in ln K about the best of each cell.
+    """Return the log evidence, and nodes in ln K about the best of each cell.
 
-    extent: ln P that all cells hold together.
+    extent: range of ln P of all cells together.
     """
     precision = statement.precision(inputs.prior)
     by_ratio = precision[1, 1]
-    alone = precision[0, 0] - precision[0, 1] ** 2 / by_ratio
+    marginal_precision = precision[0, 0] - precision[0, 1] ** 2 / by_ratio
     size = np.sqrt(cells.covariance[:, 0, 0])
     count = int(np.clip(NODES // size.size, LEAST_POINTS, MOST_POINTS))
     points = np.linspace(-BREADTH, BREADTH, count)
-    moved = points * size[:, None]
+    offsets = points * size[:, None]
     along = cells.covariance[:, 1, 0] / cells.covariance[:, 0, 0]
     at = Hypotheses(
         statement,
-        (cells.log_coefficient[:, None] + moved).ravel(),
-        (cells.log_ratio[:, None] + moved * along[:, None]).ravel(),
+        (cells.log_coefficient[:, None] + offsets).ravel(),
+        (cells.log_ratio[:, None] + offsets * along[:, None]).ravel(),
         np.repeat(cells.transition, count),
     )
     depth, slopes = inputs.depth(at)
     columns = np.concatenate([slopes[1][:, None], inputs.linear(depth)], axis=1)
-    away = at.log_coefficient - inputs.log_median
+    deviation = at.log_coefficient - inputs.log_median
     off = np.zeros((depth.shape[0], 4))
-    off[:, 0] = -precision[0, 1] / by_ratio * away - at.log_ratio
+    off[:, 0] = -precision[0, 1] / by_ratio * deviation - at.log_ratio
     linear = Linearised(
         inputs.readings.depth - depth, columns, off, np.diag([by_ratio, 1.0, 1.0, 1.0])
     )
@@ -414,28 +414,29 @@ def _nodes(
     log_cell = np.log(size * (points[1] - points[0]) * (cells.high - cells.low) / extent)
     log_weight = (
         fit.log_evidence
-        - 0.5 * (alone * away**2 + LN_TWO_PI - np.log(alone))
+        - 0.5 * (marginal_precision * deviation**2 + LN_TWO_PI - np.log(marginal_precision))
         + np.repeat(log_cell, count)
         + inputs.noise.kinds.log_prior[:, None]
     )
     if statement.falls:
         log_weight, fit = _falling(log_weight, at, fit)
     breadth = np.repeat(size * (points[1] - points[0]), count)
-    return kept(inputs.noise, at, fit, log_weight, breadth, np.repeat(along, count))
+    return relevant_nodes(inputs.noise, at, fit, log_weight, breadth, np.repeat(along, count))
 
 
 def _falling(log_weight: Array, at: Hypotheses, fit: Fitted) -> tuple[Array, Fitted]:
-    """Truncate ln r below 0: return the weight above, and its moments."""
+    """Truncate ln r at 0; return the log weights and the fit with the moments above 0."""
     size = np.sqrt(fit.covariance[..., 0, 0])
     above = (at.log_ratio + fit.step[..., 0]) / size
     log_share = log_ndtr(above)
     hazard = np.exp(-0.5 * (above**2 + LN_TWO_PI) - log_share)
     gain = fit.covariance[..., 0] / fit.covariance[..., :1, 0]
     shift = gain * (size * hazard)[..., None]
-    lost = size**2 * np.clip(hazard * (hazard + above), 0.0, 1.0)
+    reduction = size**2 * np.clip(hazard * (hazard + above), 0.0, 1.0)
     return log_weight + log_share + np.log(2.0), replace(
         fit,
         step=fit.step + shift,
-        covariance=fit.covariance - gain[..., None] * gain[..., None, :] * lost[..., None, None],
+        covariance=fit.covariance
+        - gain[..., None] * gain[..., None, :] * reduction[..., None, None],
         left=fit.left - (fit.pulled @ shift[..., None])[..., 0],
     )

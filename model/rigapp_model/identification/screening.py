@@ -1,7 +1,7 @@
 """Screening of disturbances: kinds of noise, periods of a swing, steps, by their evidence.
 
-All of them are compared at once on the bins as they are linearised about the constant coefficient
-that fits best, with and without a change somewhere; relevant ones are computed exactly afterwards.
+All are compared at once on the bins, linearised about the best constant coefficient, with and
+without a change; the relevant ones are then computed exactly.
 """
 
 from __future__ import annotations
@@ -39,50 +39,50 @@ from rigapp_model.identification.statements import Hypotheses, Statement
 Array = NDArray[np.float64]
 
 SHORTEST, LONGEST, BEYOND, RATIO = 500.0, 5.0, 8.0, 1.3
-"""Periods compared: least revolutions, most days, largest ratio to the test's length, and the ratio
-of neighbouring periods."""
+"""Periods compared: shortest, revolutions; longest, days and multiples of the test; ratio of
+consecutive ones."""
 DAILY = 0.75
-"""Share of a day among the slow swings beforehand: rooms have one."""
+"""Prior share of a period of one day among the slow swings: that of rooms."""
 WARMED = 0.1
-"""Share of the swings with another cause where the temperature is known."""
+"""Share of swings with another cause than a known temperature."""
 STEP_SHARE = 0.1
-"""Probability beforehand of a step somewhere, equal chance in each revolution."""
+"""Prior probability of a step, uniform over the revolutions."""
 STEP_ODDS = float(np.log(100.0))
-"""A step counts as present where its odds are above this, else as possible."""
+"""Log odds above which a step counts as present, else as possible."""
 MOST_STEPS = 3
 PARTS = 2
-"""Positions of a change in each bin."""
+"""Positions of a change per bin."""
 NEVER = 1e12
-"""Precision of ln r where there is no change."""
+"""Precision of ln r without a change."""
 MOST_KINDS, COUNTS = 10, 6.0
-"""Most kinds of noise examined, and the log odds against the best beyond which none is; in addition
+"""Largest number of kinds of noise used, and log of their ratio to the most probable; also used is
 the best one of each period with LEAST_SHARE of the weight."""
 LEAST_SHARE = 0.02
 
 
 def periods(last: float, day: float) -> Array:
-    """Return the periods compared at the revolution ``last``: none (0), a day, and others."""
+    """Return the periods compared after ``last`` revolutions: none (0), a day, and others."""
     longest = max(min(LONGEST * day, BEYOND * last), SHORTEST)
     count = int(np.ceil(np.log(longest / SHORTEST) / np.log(RATIO))) + 1
     return np.concatenate([[NO_PERIOD, day], np.geomspace(SHORTEST, longest, count)])
 
 
 def likely_noise(inputs: IdentificationInputs, constant: Statement, change: Statement) -> Noise:
-    """Return the kinds of noise that may count, the most probable first, with steps found."""
+    """Return the relevant kinds of noise, the most probable first, with detected steps."""
     readings = inputs.readings
     errors = inputs.errors
     swing = periods(float(readings.revolution[-1]), errors.day)
     base, by_spread = possible_kinds(readings, errors.drift, swing)
     share = (readings.revolution - readings.begin) / readings.revolution[-1]
-    share[0] = 0.0  # it is where the zero is taken
+    share[0] = 0.0  # the zero is taken in this bin
     others = np.full(swing.size - 2, (1.0 - DAILY) / (swing.size - 2))
-    swung = WARMED * errors.swing if readings.warm_zero is not None else errors.swing
-    swings = swung * np.append(DAILY, others)
-    beforehand = np.concatenate(
-        [(1.0 - STEP_SHARE) * np.append(1.0 - swung, swings), STEP_SHARE * share]
+    swing_probability = WARMED * errors.swing if readings.warm_zero is not None else errors.swing
+    swings = swing_probability * np.append(DAILY, others)
+    prior = np.concatenate(
+        [(1.0 - STEP_SHARE) * np.append(1.0 - swing_probability, swings), STEP_SHARE * share]
     )
     with np.errstate(divide="ignore"):
-        log_weight = np.log(beforehand) + np.concatenate(
+        log_weight = np.log(prior) + np.concatenate(
             [by_spread, np.repeat(by_spread[:, :1], share.size, axis=1)], axis=1
         )
     period = np.append(swing, np.zeros(share.size))
@@ -91,21 +91,21 @@ def likely_noise(inputs: IdentificationInputs, constant: Statement, change: Stat
     linear = _linearised(inputs, constant, change)
     steps = NO_STEPS
     while True:
-        compared = _compared(readings, base, log_weight, swing, linear, steps)
+        compared = _log_evidence(readings, base, log_weight, swing, linear, steps)
         step = _step_bin(compared, readings) if len(steps) < MOST_STEPS else NO_STEPS
         if not step.size:
-            kinds = _chosen(compared, base, log_weight, period, jump)
+            kinds = _relevant_kinds(compared, base, log_weight, period, jump)
             return noise_of(readings, kinds, steps)
         steps = np.concatenate([steps, step])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Linear:
-    """The linearised bins.
+    """Linearised bins.
 
-    columns (4 + PARTS (n - 1), n): of ln K, e, b, a, and of ln r of a change at some positions;
-    misfit (n,); precision (2, 6, 6), off (2, 6): of ln K, e, b, a and ln r at two neighbours, which
-    together are a change between them, without a change and with one.
+    columns (4 + PARTS (n - 1), n): of ln K, e, b, a, and of ln r for each position of a change;
+    misfit (n,); precision (2, 6, 6), off (2, 6): of ln K, e, b, a and ln r at two neighbouring
+    positions, whose combination is a change between them; without a change, and with one.
     """
 
     columns: Array
@@ -115,7 +115,7 @@ class _Linear:
 
 
 def _linearised(inputs: IdentificationInputs, constant: Statement, change: Statement) -> _Linear:
-    """Linearise about the constant coefficient that fits best."""
+    """Linearise about the best constant coefficient."""
     start = inputs.best_constant(constant)
     by, half = inputs.readings.progress[1:, None], inputs.readings.half[1:, None]
     change_at = (by - half + 2.0 * half * np.arange(PARTS) / PARTS).ravel()
@@ -132,14 +132,14 @@ def _linearised(inputs: IdentificationInputs, constant: Statement, change: State
     return _Linear(columns, inputs.readings.depth - depth[0], precision, off)
 
 
-def _compared(
+def _log_evidence(
     readings: DepthBins, base: Kinds, log_weight: Array, swing: Array, linear: _Linear, steps: Array
 ) -> Array:
-    """Compare kinds of noise with a swing or a step, beside given steps.
+    """Compare kinds of noise with a swing or a step, in addition to known steps.
 
-    Returns the logarithm of their evidence with their weight beforehand (2, J, T + n): without a
-    change and with the most probable one, J kinds of noise, T periods, a step in one of n bins.
-    Each swing and step is two columns beside the others, whose evidence is in closed form.
+    Returns their log evidence plus log prior (2, J, T + n): without a change and with the most
+    probable one, J kinds of noise, T periods, a step in one of n bins. Each swing and step is two
+    more columns, with evidence in closed form.
     """
     end, at, none = readings.revolution, readings.moments, np.zeros(1)
     nothing = np.zeros((base.size.size, 2))
@@ -156,8 +156,8 @@ def _compared(
     first, second = along[:, :, k + 1 :: 2], along[:, :, k + 2 :: 2]
     weight = log_weight[:, :1] - 0.5 * log_determinant[:, None]
     likely = min(_likely_change(linear, along[:, :, : k + 1], weight), k - 2)
-    places = [0, 1, 2, 3, likely, likely + 1, k]
-    gram = along[:, :, places].swapaxes(1, 2) @ along[:, :, [*places, *range(k + 1, len(rows))]]
+    selected = [0, 1, 2, 3, likely, likely + 1, k]
+    gram = along[:, :, selected].swapaxes(1, 2) @ along[:, :, [*selected, *range(k + 1, len(rows))]]
     known, cross = gram[:, :, :7], gram[:, :, 7:]
     pull = (linear.precision @ linear.off[..., None])[..., 0]
     matrix = known[:, None, :6, :6] + linear.precision
@@ -194,9 +194,9 @@ def _compared(
 
 
 def _likely_change(linear: _Linear, along: Array, weight: Array) -> int:
-    """Return the index of the column of the most probable change without swing and step.
+    """Return the column index of the most probable change without swing and step.
 
-    along (J, n, M + 1): columns and misfit where noise is white; weight (J, 1): its logarithm.
+    along (J, n, M + 1): whitened columns and misfit; weight (J, 1): log weight.
     """
     low = along[:, :, [0, 1, 2, 3, -1]].swapaxes(1, 2) @ along
     matrix, over, toward = low[:, None, :4, :4], low[:, :4, 4:-1], low[:, 4, 4:-1]
@@ -214,7 +214,7 @@ def _likely_change(linear: _Linear, along: Array, weight: Array) -> int:
 
 
 def _step_bin(compared: Array, readings: DepthBins) -> Array:
-    """Return the bin (1, 2) with a step, or none (0, 2)."""
+    """Return the bin with a step (1, 2), or none (0, 2)."""
     n = readings.revolution.size
     without = np.logaddexp.reduce(compared[:, :, :-n], axis=(1, 2)).max()
     each = np.logaddexp.reduce(compared[:, :, -n:], axis=1)
@@ -224,21 +224,25 @@ def _step_bin(compared: Array, readings: DepthBins) -> Array:
     return np.array([[readings.begin[at], readings.revolution[at]]])
 
 
-def _chosen(compared: Array, base: Kinds, log_weight: Array, period: Array, jump: Array) -> Kinds:
-    """Return the kinds that count, the most probable first; each swing and step keeps its weight.
+def _relevant_kinds(
+    compared: Array, base: Kinds, log_weight: Array, period: Array, jump: Array
+) -> Kinds:
+    """Return the relevant kinds, the most probable first; each swing and step keeps its weight.
 
-    period (T + n,), jump (T + n, 2): of the compared ones.
+    period (T + n,), jump (T + n, 2): of the swings and steps compared.
     """
     total = np.logaddexp.reduce(compared, axis=(1, 2))
     relative = compared - total[:, None, None]
     score = relative.max(axis=0)
     order = np.argsort(-score, axis=None)[:MOST_KINDS]
-    kept = {(int(j), int(t)) for j, t in zip(*np.unravel_index(order, score.shape), strict=True)}
-    kept = {pair for pair in kept if score[pair] > score.max() - COUNTS}
+    selected = {
+        (int(j), int(t)) for j, t in zip(*np.unravel_index(order, score.shape), strict=True)
+    }
+    selected = {pair for pair in selected if score[pair] > score.max() - COUNTS}
     of_shape = np.logaddexp.reduce(relative, axis=1)
     for t in np.flatnonzero((of_shape > np.log(LEAST_SHARE)).any(axis=0)):
-        kept.add((int(np.argmax(score[:, t])), int(t)))
-    kind, shape = np.array(sorted(kept, key=lambda pair: -score[pair])).T
+        selected.add((int(np.argmax(score[:, t])), int(t)))
+    kind, shape = np.array(sorted(selected, key=lambda pair: -score[pair])).T
     best = relative[int(np.argmax(total))]
     left_out = [
         np.logaddexp.reduce(best[:, t]) - np.logaddexp.reduce(best[kind[shape == t], t])
@@ -252,34 +256,35 @@ def _chosen(compared: Array, base: Kinds, log_weight: Array, period: Array, jump
     )
 
 
-# The cause of unexpected fine bins: other wear, a step, or a swing not yet seen.
+# The cause of unexpected fine bins: a change of wear, a step, or an undetected swing.
 #
-# A sum of innovations rises by either. So the bins since it rose are compared with the prediction
-# before it did: their differences are a ramp from some bin on where the joint wears otherwise, and
-# a constant from some bin on where a probe was touched. They may also be a part of a slow swing, of
-# which too few periods have passed. All amplitudes are normal beforehand, so that the evidence of
-# each is in closed form, with all earlier uncertainty.
+# Each increases a sum of innovations. So the bins since the rise are compared with the prediction
+# before it: the differences are a ramp from some bin on for a change of wear, and a constant from
+# some bin on if a probe was touched. They may also be part of a slow swing, of which too few
+# periods have passed. All amplitudes have normal priors, so that the evidence of each is in closed
+# form, including all earlier uncertainty.
 
 MOST = 64
-"""Number of bins that are held; of more each second one is left out."""
+"""Largest number of stored bins; beyond it, every second one is dropped."""
 CHANGE = 1.0
-"""K changes by this factor and one, standard: a third of changes is by more than a factor of 2."""
+"""Standard deviation of the relative change of K: a third of changes exceeds a factor of 2."""
 ODDS = float(np.log(20.0))
-"""Odds above which one of both is reported."""
+"""Log odds above which a change of wear or a step is reported."""
 
 KNOWN_AFTER = 2.5
-"""Periods after which a swing would have been seen in the bins."""
+"""Periods after which a swing would be detected in the bins."""
 UNSEEN_SWING = 0.35
-"""Chance beforehand of a swing of each period; more of it delays the report of an early change."""
+"""Prior probability of a swing of each period; more delays the report of an early change."""
 
 
 @dataclass(slots=True)
 class Excursion:
-    """The bins since a sum was 0 last, and the posterior then; of fixed size.
+    """Bins since a sum was last 0, and the posterior at that time; of fixed size.
 
-    mean, covariance: of all states then; begin: bins that came before it; bins: for each its first
-    and last revolution, progress, difference to the prediction then (m), slope by ln K (m),
-    variance of its own (m^2), and slopes by all states; stride: each such bin is kept.
+    mean, covariance: of all states at that time; bins: for each its first and last revolution,
+    progress, difference to the prediction of that time (m), slope by ln K (m), variance of its
+    scatter (m^2), and slopes by all states; stride: every stride-th bin is stored; seen: bins
+    added.
     """
 
     mean: Array | None = None
@@ -294,7 +299,7 @@ class Excursion:
         self.bins, self.stride, self.seen = [], 1, 0
 
     def add(self, closed: list[float]) -> None:
-        """Take a bin."""
+        """Add a bin."""
         self.seen += 1
         if self.seen % self.stride:
             return
@@ -305,15 +310,15 @@ class Excursion:
     def odds(
         self, drift: float, size: float, length: float, wander: float, swings: float = UNSEEN_SWING
     ) -> tuple[float, float, float]:
-        """Return the logarithms of odds of other wear and of a step, each against all others.
+        """Return the log odds of a change of wear and of a step, each against all others.
 
-        And the revolution from which on the more probable one of both began. drift, size, length:
-        of the noise, see ``Kinds``; wander: of a swing, m^2 a revolution; swings: chance beforehand
-        of a swing of each period.
+        Also the first revolution of the more probable one of the two. drift, size, length: of the
+        noise, see ``Kinds``; wander: of a swing, m^2 per revolution; swings: prior probability of a
+        swing of each period.
         """
         assert self.covariance is not None
         table = np.array(self.bins)
-        first, last, progress, off, slope, own = table[:, :6].T
+        first, last, progress, off, slope, scatter = table[:, :6].T
         rows = table[:, 6:]
         n = off.size
         middle = np.log(np.maximum(0.5 * (first + last), 1.0))
@@ -321,7 +326,7 @@ class Excursion:
         walk += wander * (np.minimum(last[:, None], last) - first[0] + 1.0)
         noise = covariance(np.array([size]), np.array([length]), first - 1.0, last)[0]
         known = rows @ self.covariance @ rows.T
-        lower = np.linalg.cholesky(np.diag(own) + walk + noise + known)
+        lower = np.linalg.cholesky(np.diag(scatter) + walk + noise + known)
         start = np.append(progress[0] - (progress[-1] - progress[0]) / n, progress[:-1])
         ramps = CHANGE * slope * np.maximum(1.0 - start[:, None] / progress, 0.0)
         at = np.arange(n)
@@ -338,7 +343,9 @@ class Excursion:
         area = aa * bb - ab**2
         step = 0.5 * ((bb * u**2 - 2.0 * ab * u * v + aa * v**2) / area - np.log(area))
         by_wear, by_step = (float(np.logaddexp.reduce(x) - np.log(n)) for x in (wear, step))
-        by_chance = float(np.logaddexp(_by_swing(lower, misfit, first, last) + np.log(swings), 0.0))
+        by_chance = float(
+            np.logaddexp(_swing_evidence(lower, misfit, first, last) + np.log(swings), 0.0)
+        )
         since = first[int(np.argmax(wear if by_wear > by_step else step))]
         return (
             by_wear - float(np.logaddexp(by_step, by_chance)),
@@ -357,21 +364,21 @@ class Excursion:
         }
 
 
-def _by_swing(lower: Array, misfit: Array, first: Array, last: Array) -> float:
-    """Return the logarithm of the evidence of a swing of which too few periods have passed.
+def _swing_evidence(lower: Array, misfit: Array, first: Array, last: Array) -> float:
+    """Return the log evidence of a swing of which too few periods have passed.
 
-    lower (n, n): root of the covariance of bins; misfit (n,): their differences by it.
+    lower (n, n): Cholesky factor of the covariance of bins; misfit (n,): whitened differences.
     """
     count = int(np.ceil(np.log(max(BEYOND * last[-1] / SHORTEST, RATIO)) / np.log(RATIO)))
     periods = SHORTEST * RATIO ** np.arange(count + 1)
-    unseen = periods[periods * KNOWN_AFTER > first[0]]
-    if not unseen.size:
+    undetected = periods[periods * KNOWN_AFTER > first[0]]
+    if not undetected.size:
         return -np.inf
-    turn = 2.0 * np.pi / unseen[:, None]
+    turn = 2.0 * np.pi / undetected[:, None]
     middle, began = 0.5 * (first + last), first[0]
-    flat = np.sinc((last - first) / unseen[:, None])
-    sine = SWING * flat * np.sin(turn * (middle - began))
-    cosine = SWING * (flat * np.cos(turn * (middle - began)) - 1.0)
+    attenuation = np.sinc((last - first) / undetected[:, None])
+    sine = SWING * attenuation * np.sin(turn * (middle - began))
+    cosine = SWING * (attenuation * np.cos(turn * (middle - began)) - 1.0)
     sine, cosine = (np.linalg.solve(lower, part.T).T for part in (sine, cosine))
     aa, bb = 1.0 + (sine**2).sum(axis=1), 1.0 + (cosine**2).sum(axis=1)
     ab, u, v = (sine * cosine).sum(axis=1), sine @ misfit, cosine @ misfit
@@ -381,7 +388,7 @@ def _by_swing(lower: Array, misfit: Array, first: Array, last: Array) -> float:
 
 
 def excursion_of(numbers: Mapping[str, Any]) -> Excursion:
-    """Return the excursion of a state from ``numbers``."""
+    """Restore an excursion from its ``numbers``."""
     mean, covariance_then = numbers["mean"], numbers["covariance"]
     return Excursion(
         None if mean is None else np.array(mean),

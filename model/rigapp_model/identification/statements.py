@@ -1,8 +1,8 @@
-"""Statements about a joint: its wear coefficient is constant, runs in, or changed at one time.
+"""Statements about a joint: its wear coefficient is constant, runs in, or changed once.
 
 Each statement gives the progress at the life's coefficient K0:
-q(P) = K/K0 (P + (r - 1) g(P)), where K is the last coefficient, r the first one's ratio to it, and
-g the progress made at the first one.
+q(P) = K/K0 (P + (r - 1) g(P)), where K is the last coefficient, r the ratio of the first one to it,
+and g the progress at the first one.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from rigapp_model.identification.errors import Prior
 Array = NDArray[np.float64]
 
 CHANGE_SPREAD = float(np.log(3.0))
-"""Spread of ln r of a change: two in three change K by less than a factor of 3."""
+"""Spread of ln r of a change: two in three are by less than a factor of 3."""
 RUNNING_IN_SPREAD = float(np.log(5.0))
-"""Spread of ln r of running-in, which only falls: first coefficients of 5 times the last occur."""
+"""Spread of ln r of running-in, where r > 1: first coefficients of 5 times the last occur."""
 RUNNING_IN_PLACES = (30.0, 3e4)
-"""Least and most nominal cycles of running-in; equal chance in each decade."""
+"""Range of the length of running-in, nominal cycles; uniform in its logarithm."""
 
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """One statement.
+    """Statement about the wear coefficient.
 
-    name; first (P, half, transition): progress made at the first coefficient, the mean over a bin
-    of that half width, transition in nominal cycles; spread: of ln r beforehand, 0 for none; falls:
-    whether r is above 1 by definition; anywhere: whether the transition may be anywhere in what was
-    tested, else within RUNNING_IN_PLACES; of_first: whether the prior of K is that of the first
-    coefficient, else of the last; chance: probability beforehand.
+    name; first (P, half, transition): progress at the first coefficient, as the mean over a bin
+    of that half width, transition in nominal cycles; spread: prior of ln r, 0 for none; falls:
+    whether r > 1 by definition; anywhere: whether the transition is anywhere in the test, else
+    within RUNNING_IN_PLACES; of_first: whether the prior of K applies to the first coefficient,
+    else to the last; chance: prior probability.
     """
 
     name: str
@@ -47,16 +47,16 @@ class Statement:
     def ratio_now(
         self, log_ratio: Array, progress: float, transition: Array
     ) -> tuple[Array, Array]:
-        """Return ln of the coefficient now to K, (H,), and its slope by ln r.
+        """Return ln of the present coefficient over K, (H,), and its slope by ln r.
 
         log_ratio, transition (H,); progress: nominal cycles.
         """
         if not self.falls:
             return np.zeros(transition.shape), np.zeros(transition.shape)
-        left = np.exp(-progress / transition)
+        remaining = np.exp(-progress / transition)
         first = np.exp(log_ratio)
-        now = 1.0 + (first - 1.0) * left
-        return np.log(now), first * left / now
+        now = 1.0 + (first - 1.0) * remaining
+        return np.log(now), first * remaining / now
 
     def precision(self, prior: Prior) -> Array:
         """Return the prior's precision of (ln K, ln r), (2, 2)."""
@@ -86,8 +86,8 @@ STATEMENTS = (
     Statement(RUNNING_IN, _running_in, RUNNING_IN_SPREAD, falls=True, chance=0.1),
     Statement(CHANGE, _until, CHANGE_SPREAD, anywhere=True, of_first=True, chance=0.1),
 )
-"""With equal chances, limits of a constant coefficient would be too wide: readings that are as
-likely by each statement cannot exclude the others."""
+"""The chances differ, as with equal ones the limits of a constant coefficient would be too wide:
+readings that are as likely under each statement cannot exclude the others."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,16 +100,16 @@ class Hypotheses:
     transition: Array
 
     def at(self, index: NDArray[np.int64]) -> Hypotheses:
-        """Return some of them."""
+        """Return the selected hypotheses."""
         return Hypotheses(
             self.statement,
             *(v[index] for v in (self.log_coefficient, self.log_ratio, self.transition)),
         )
 
     def scaled(self, half: Array) -> Callable[[Array], tuple[Array, Array]]:
-        """Return the function of progress at K0, with slopes by ln K and ln r (see ``Scaled``).
+        """Return the function to progress at K0, with slopes by ln K and ln r (see ``Scaled``).
 
-        half (n,): half widths of the first n bins; later arguments are single moments.
+        half (n,): half widths of the first n bins; later progress has no width.
         """
         coefficient = np.exp(self.log_coefficient)[:, None]
         ratio = np.exp(self.log_ratio)[:, None]

@@ -1,4 +1,4 @@
-"""The identification as a sentence for the operator."""
+"""The identification as text for the operator."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from rigapp_model.identification.inference import Credible, Identification
 from rigapp_model.identification.statements import CHANGE, CONSTANT, RUNNING_IN
 
 ODDS = 20.0
-"""Odds above which a statement is made: one error in twenty, as for limits of 95 %."""
+"""Odds above which a statement is reported: one error in twenty, as for limits of 95 %."""
 MAY_SWING = 0.2
-"""Probability of an unseen swing above which it is mentioned."""
+"""Probability of an undetected swing above which it is mentioned."""
 TOO_WIDE = 2.0
-"""Limits further apart than this factor give no coefficient."""
+"""Ratio of the limits above which no coefficient is reported."""
 MM3_PER_M2 = 1e9
-"""mm^3/(N m) in a m^2/N."""
+"""mm^3/(N m) per m^2/N."""
 
 
 def sentence(known: Identification, departure: Departure | None = None) -> str:
-    """Return how the joint wears, or why that is unknown, and the disturbances, in plain words."""
+    """Return a text with the wear of the joint, or why it is unknown, and the disturbances."""
     disturbed = joined("; ", [_disturbance(cause) for cause in known.disturbances])
     text = _wear(known, departure)
     if known.disturbances:
@@ -44,14 +44,14 @@ def sentence(known: Identification, departure: Departure | None = None) -> str:
 
 
 def _may_swing(known: Identification) -> bool:
-    """Return whether a swing of which less than a period has passed makes the limits wide."""
+    """Return whether a swing that has not completed a period may widen the limits."""
     if known.readings.warm_zero is not None:
         return False
-    unseen = sum(
+    probability = sum(
         v.weight * float(v.nodes.weight @ (v.nodes.kinds.period > known.revolution))
         for v in known.verdicts
     )
-    return unseen > MAY_SWING
+    return probability > MAY_SWING
 
 
 def _disturbance(cause: Disturbance) -> str:
@@ -74,12 +74,12 @@ def _disturbance(cause: Disturbance) -> str:
 
 
 def grouped_by(revolutions: float) -> str:
-    """Return a number of revolutions to two digits."""
+    """Format a number of revolutions with two significant digits."""
     return f"{float(f'{revolutions:.2g}'):.0f}"
 
 
 def _wear(known: Identification, departure: Departure | None) -> str:
-    """Return how the joint wears, or why that is unknown, in plain words."""
+    """Return a text with the wear of the joint, or why it is unknown."""
     if departure is not None and not _explained(known, departure):
         return say(
             (
@@ -125,7 +125,7 @@ def _wear(known: Identification, departure: Departure | None) -> str:
 
 
 def _explained(known: Identification, departure: Departure) -> bool:
-    """Return whether a reported change explains the departure, by half a bin at most."""
+    """Return whether a reported change explains the departure."""
     best, transition = known.best, known.best.transition
     if best.name != CHANGE or transition is None or best.weight <= ODDS * (1.0 - best.weight):
         return False
@@ -137,7 +137,7 @@ def _running_in(known: Identification) -> str:
     assert best.before is not None
     assert best.after is not None
     assert best.transition is not None
-    done = known.progress > 3.0 * best.transition.median  # to a twentieth of the way
+    done = known.progress > 3.0 * best.transition.median  # exp(-3): a twentieth remains
     return say(
         "Running-in: the wear coefficient {} from {} to {}, by two thirds within {:.0f}"
         " revolutions.",
@@ -166,7 +166,7 @@ def _changed(known: Identification) -> str:
 
 
 def revolution_of(known: Identification, progress: float) -> float:
-    """Return the revolution at which a progress (nominal cycles) was or will be made."""
+    """Return the revolution at which a progress (nominal cycles) was or will be reached."""
     by = known.readings
     if progress > known.progress:
         return known.revolution + (progress - known.progress) / known.rate
@@ -175,7 +175,7 @@ def revolution_of(known: Identification, progress: float) -> float:
 
 
 def in_words(coefficient: Credible) -> str:
-    """Return a coefficient (m^2/N) with its limits, in 10⁻⁶ mm³/(N m)."""
+    """Format a coefficient (m^2/N) and its limits, in 10⁻⁶ mm³/(N m)."""
     median, low, high = (
         np.format_float_positional(1e6 * MM3_PER_M2 * limit, 3, fractional=False, trim="-")
         for limit in (coefficient.median, coefficient.low, coefficient.high)

@@ -1,1 +1,1 @@
-"""The wear of the bushing: Archard's law in time, its error, and the life of the joint."""
+"""Wear of the bushing: Archard's law over time, its numerical error, and the life of the joint."""

@@ -1,4 +1,4 @@
-"""One implicit wear step for all crank positions of a cycle together, compiled.
+"""Compiled implicit wear step, coupled over all crank positions of a cycle.
 
 All positions wear the same profile: the wear of one opens the gap of the others. With backward
 Euler the step is one convex problem. For given touching sets and normals, the normal forces of
@@ -25,13 +25,13 @@ from rigapp_model.bushing.active_set import (
 from rigapp_model.bushing.linear import factorise, invert, substitute
 from rigapp_model.compiled import njit
 
-_LIMIT = 40  # sweeps; 5 to 10 settle as a rule, some of the single changes after _PATIENCE
+_LIMIT = 40  # sweeps; usually 5 to 10 converge, changes of single nodes after _PATIENCE need more
 # Sweeps after which each position changes its set one node at a time.
 _PATIENCE = 25
-# A weak force at the edge of the wear of strong ones may move for long; its position does not
-# matter when the wear stayed the same for this number of sweeps.
+# Sweeps without a change of the wear that end the iteration: the position of a weak force at the
+# edge of the wear by strong ones may change for long, without effect.
 _QUIET = 4
-# Ratio of touching nodes to those of the start from which the sets diverge.
+# Ratio of touching nodes to those at the start beyond which the sets diverge.
 _GROWTH = 4
 
 
@@ -42,9 +42,10 @@ _GROWTH = 4
     error_model="numpy",
 )
 def _invert(polar, frame, gap, nodes, count, rows, work, lower, inverse):  # type: ignore[no-untyped-def]
-    """Fill the upper triangle of A^-1, and rows = A^-1 of the normals' x, y and of the gap.
+    """Compute the upper triangle of A^-1, and rows = A^-1 times the normals' x, y and the gap.
 
-    False when A is not positive definite. ``work``, ``lower``, ``inverse``: count x count at least.
+    Returns False if A is not positive definite. ``work``, ``lower``, ``inverse``: at least
+    count x count.
     """
     assemble(polar, frame, nodes, count, work)
     for p in range(count):
@@ -64,8 +65,8 @@ def _invert(polar, frame, gap, nodes, count, rows, work, lower, inverse):  # typ
     cache=True,
     error_model="numpy",
 )
-def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def]
-    """Fill Q, the pin's move by a unit force, (2, 2); not a number when one-sided."""
+def _pin_compliance(frame, nodes, count, rows, compliance):  # type: ignore[no-untyped-def]
+    """Compute Q, the pin's move per unit force, (2, 2); NaN if the contact is one-sided."""
     stiffness = np.zeros((2, 2))
     for p in range(count):
         for u in range(2):
@@ -74,7 +75,7 @@ def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def
     for v in range(2):
         unit = np.zeros(2)
         unit[v] = 1.0
-        turned[:, v] = pin_move(stiffness, np.zeros((2, 2)), unit)
+        compliance[:, v] = pin_move(stiffness, np.zeros((2, 2)), unit)
 
 
 @njit(
@@ -83,7 +84,7 @@ def _softness(frame, nodes, count, rows, turned):  # type: ignore[no-untyped-def
     cache=True,
     error_model="numpy",
 )
-def _gather(frame, nodes, count, row_of, slip, rows, inverse, q, force, system, pull):  # type: ignore[no-untyped-def]
+def _add_to_system(frame, nodes, count, row_of, slip, rows, inverse, q, force, system, pull):  # type: ignore[no-untyped-def]
     """Add one position's slip x T to the system and slip x b to its right-hand side."""
     t0, t1 = force[0], force[1]
     for p in range(count):
@@ -109,8 +110,8 @@ def _gather(frame, nodes, count, row_of, slip, rows, inverse, q, force, system, 
     cache=True,
     error_model="numpy",
 )
-def _press(nodes, count, frame, wear, rows, inverse, q, force, load):  # type: ignore[no-untyped-def]
-    """Fill the normal forces of one position for a wear; return the pin's move, (2,)."""
+def _normal_forces(nodes, count, frame, wear, rows, inverse, q, force, load):  # type: ignore[no-untyped-def]
+    """Compute the normal forces of one position for a wear; return the pin's move, (2,)."""
     opened = np.zeros(count)
     for i in range(count):
         h = wear[nodes[i]]
@@ -146,11 +147,11 @@ def _least_angle(axis):  # type: ignore[no-untyped-def]
     error_model="numpy",
 )
 def _bounded(move, force, pin, pin_radius, spacing):  # type: ignore[no-untyped-def]
-    """Return the pin's move, sideways to the force by no more than a few nodes.
+    """Return the pin's move, limited to a few nodes across the force.
 
-    Few touching nodes hardly resist sideways, and a pin that shoots off there gathers nodes that
-    it never leaves. When the contact moves by one node, the pin moves by its distance from the
-    bushing's centre times the angle between nodes.
+    Few touching nodes have little lateral stiffness, and a pin that overshoots touches nodes that
+    remain in the set. When the contact advances by one node, the pin moves by its distance from
+    the bushing's centre times the angle between nodes.
     """
     size = np.sqrt(force[0] ** 2 + force[1] ** 2)
     fx, fy = force[0] / size, force[1] / size
@@ -187,13 +188,12 @@ def wear_step(  # type: ignore[no-untyped-def]
     pressed,
     offset,
 ):
-    """Advance all positions by one step; pins, touching, pressed and offset are changed in place.
+    """Advance all positions by one step; updates pins, touching, pressed and offset in place.
 
-    surface (N, 2); resistance (N,): w / (K dN), the force of a unit of wear; forces (M, 2) per
-    metre of width; slips (M,); tolerance: part of the largest force and of the elastic
-    displacement by which the conditions may fail; pins (M, 2), touching and pressed (M, N): a
-    start, then the result; offset (N, 2): the wear as a displacement of the nodes. Returns status
-    and sweeps.
+    surface (N, 2); resistance (N,): w / (K dN), force per unit of wear; forces (M, 2) per metre of
+    width; slips (M,); tolerance: of the conditions, relative to the largest force and to the
+    elastic displacement; pins (M, 2), touching and pressed (M, N): start, then result; offset
+    (N, 2): wear as displacement of the nodes. Returns status and sweeps.
     """
     positions, n = touching.shape
     frames = np.empty((positions, n, 4))
@@ -238,10 +238,10 @@ def wear_step(  # type: ignore[no-untyped-def]
             frame, nodes = frames[k], lists[k]
             if not _invert(polar, frame, gaps[k], nodes, count, rows[k], work, lower, inverses[k]):
                 return NOT_SETTLED, sweep
-            _softness(frame, nodes, count, rows[k], turns[k])
+            _pin_compliance(frame, nodes, count, rows[k], turns[k])
             if not np.isfinite(turns[k, 0, 0]):
                 return ONE_SIDED, sweep
-            _gather(
+            _add_to_system(
                 frame,
                 nodes,
                 count,
@@ -271,7 +271,7 @@ def wear_step(  # type: ignore[no-untyped-def]
             count = counts[k]
             frame, nodes = frames[k], lists[k]
             load = np.empty(count)
-            move = _press(
+            move = _normal_forces(
                 nodes, count, frame, wear, rows[k], inverses[k], turns[k], forces[k], load
             )
             travel = max(travel, np.sqrt(move[0] ** 2 + move[1] ** 2))

@@ -1,4 +1,4 @@
-"""The paper's own scheme: forward Euler, each step extrapolated over some cycles."""
+"""The paper's scheme: forward Euler, each step extrapolated over several cycles."""
 
 from __future__ import annotations
 
@@ -30,27 +30,27 @@ from rigapp_model.wear.richardson import (
 )
 
 STABLE_SHARE = 0.5
-"""Part of the stability limit that a step takes by default."""
+"""Default step, as a fraction of the stability limit."""
 
 
 class UnstableStep(ModelError):
-    """An explicit step is beyond the stability limit."""
+    """An explicit step exceeds the stability limit."""
 
 
 @dataclass(frozen=True, slots=True)
 class Extrapolation:
-    """The most cycles of an explicit step, and the most that would be stable on the mesh."""
+    """Largest explicit step and stability limit on the mesh, in cycles."""
 
     step: float
     limit: float
 
 
 def stable_step(ring: Ring, sectors: int, wear_coefficient: float, loads: CycleLoads) -> float:
-    """Return the most cycles of one explicit step on a mesh with the given number of sectors.
+    """Return the stability limit of an explicit step on a mesh with this number of sectors, cycles.
 
-    The wear of a step must be below twice the indentation by its pressure: of the shortest wave of
-    the mesh (``largest_explicit_step``), and of the wall as a bed of springs of k Pa/m, the
-    limit in a thin one: 2 / (K s k). All slip of a revolution counts, wherever it presses.
+    The wear of a step must be below twice the indentation by its pressure: for the shortest wave of
+    the mesh (``largest_explicit_step``), and for the wall as an elastic foundation of k Pa/m, the
+    limit of a thin wall: 2 / (K s k). All slip of a revolution is included, at any position.
     """
     slip = float(loads.wearing.sum()) + loads.idle
     rate = wear_coefficient * slip * ring.foundation_modulus
@@ -68,10 +68,10 @@ def extrapolation(
     loads: CycleLoads,
     step: float | None = None,
 ) -> Extrapolation:
-    """Return the steps to take: of ``step`` cycles, by default half the stability limit.
+    """Return the step to use, in cycles, by default half the stability limit.
 
-    Raises UnstableStep for more than the limit, because the pressure then oscillates and the depth
-    overshoots while the worn area stays right.
+    Raises UnstableStep above the limit: the pressure would oscillate and the depth overshoot, while
+    the worn area remains correct.
     """
     limit = stable_step(ring, sectors, wear_coefficient, loads)
     if step is None:
@@ -93,10 +93,10 @@ def extrapolation(
 
 
 def explicit_step(problem: WearProblem, front: Front, loads: CycleLoads, cycles: float) -> Front:
-    """Advance by paper Eqs 2 and 3: h += K p ds for every position, times the cycles.
+    """Advance by paper Eqs 2 and 3: h += K p ds for each position, times the cycles.
 
-    One contact solution a position on the surface as it was; the result carries them as a start
-    for the next. Does not check the stability limit.
+    One contact solution per position, on the surface before the step; the result includes them as
+    start of the next step. Does not check the stability limit.
     """
     require_positive("cycles", cycles)
     solved = touched(problem, front, loads)
@@ -104,13 +104,13 @@ def explicit_step(problem: WearProblem, front: Front, loads: CycleLoads, cycles:
     assert solved.pins is not None
     nodes = problem.compliance.nodes
     weights = simpson_weights(front.surface)[nodes]
-    near = front.surface[nodes]
-    offset = np.zeros_like(near)
+    nodes_at = front.surface[nodes]
+    offset = np.zeros_like(nodes_at)
     for pin, force, slip in zip(solved.pins, solved.force, loads.wearing, strict=True):
-        away = near - pin
-        away /= np.hypot(away[:, 0], away[:, 1])[:, None]
+        normal = nodes_at - pin
+        normal /= np.hypot(normal[:, 0], normal[:, 1])[:, None]
         wear = problem.wear_coefficient * cycles * slip * force / weights
-        offset += wear[:, None] * away
+        offset += wear[:, None] * normal
     surface = front.surface.copy()
     surface[nodes] += offset
     refuse_worn_through(problem, surface)
@@ -124,13 +124,13 @@ def explicit_moments(
     step: float,
     alive: Callable[[float], None] = lambda done: None,
 ) -> Iterator[Moment]:
-    """Yield the moment at every row, from 0 cycles on, by steps of at most ``step`` cycles.
+    """Yield the moment at 0 cycles and at each row, with steps of at most ``step`` cycles.
 
-    A step that would pass a row ends there. A second life with half the steps goes beside it; the
-    scheme is of first order, so that twice their difference is the error. rows: increasing cycles
-    above 0; step: not compared with the stability limit, see ``extrapolation``; alive: called with
-    the cycles done after every step; where it raises OutOfTime, the moment reached is the last.
-    Raises ContactError, WornThrough or ModelError.
+    Steps end at rows. A second run has half the step; the scheme is of first order, so that twice
+    their difference is the error. rows: increasing cycles above 0; step: not compared with the
+    stability limit, see ``extrapolation``; alive: called with the cycles done after each step; if
+    it raises OutOfTime, the present moment is the last. Raises ContactError, WornThrough or
+    ModelError.
     """
     runs = (problem.unworn(), problem.unworn())
     yield first_moment(problem, loads_at, runs[0])
@@ -158,7 +158,7 @@ def _advance(
     begin: float,
     end: float,
 ) -> tuple[Front, Front]:
-    """Advance one run by a step and the other by two halves of it."""
+    """Advance one run by a step and the other by two half steps."""
     full, halves = runs
     full = explicit_step(problem, full, loads_at(full, begin), end - begin)
     for at in (begin, 0.5 * (begin + end)):
@@ -173,7 +173,7 @@ def _moment(
     cycles: float,
     steps: int,
 ) -> Moment:
-    """Return the moment of the whole steps, its contacts solved on the surface as it is."""
+    """Return the moment of the run with full steps, with contacts on its present surface."""
     full, halves = runs
     loads = loads_at(full, cycles)
     area = worn_area(problem, full.surface)

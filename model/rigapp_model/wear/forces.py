@@ -1,4 +1,4 @@
-"""The sources of a life's forces: a joint by constraints, or one constant force.
+"""Sources of the forces of a life: a joint by constraints, or a constant force.
 
 Pin and bushing as separate bodies are in ``impact_forces``.
 """
@@ -24,33 +24,33 @@ from rigapp_model.wear.loads import (
 )
 
 DENSE = 1440
-"""Crank angles from which positions are gathered where the force swings wide."""
+"""Crank angles that are merged into positions if the force's direction varies widely."""
 
 
 class ForceSource(Protocol):
-    """Loads of a revolution for a worn surface."""
+    """Source of the loads of a revolution for a worn surface."""
 
     @property
     def single(self) -> bool:
-        """Whether one force acts, the same at every crank position."""
+        """Whether the force is the same at all crank positions."""
 
     def unworn(self, positions: int) -> CycleLoads:
-        """Return the loads of the unworn joint at a number of positions."""
+        """Return the loads of the unworn joint at this number of positions."""
 
     def samples(self, positions: int) -> Sequence[CycleLoads]:
-        """Return the loads of the unworn joint by parts of a sample; none where none is taken."""
+        """Return the loads of the unworn joint by parts of a sample; empty without sampling."""
 
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
-        """Return the loads on a worn surface after a number of cycles."""
+        """Return the loads on a worn surface after ``cycles``."""
 
     def clearance(self, front: Front) -> float:
         """Return R2 - R1 in the mechanism, m."""
 
     def coupling_error(self, cycles: float) -> float:
-        """Return a bound of the depth's error by forces kept while the surface wore, m."""
+        """Return a bound of the depth's error due to forces reused while the surface wears, m."""
 
     def notes(self, front: Front) -> Iterable[str]:
-        """Return sentences on the assumptions of the technique and whether they hold."""
+        """Return messages on the assumptions of the technique and whether they hold."""
 
 
 def constant_source(
@@ -61,7 +61,7 @@ def constant_source(
 
 
 class ConstantForce:
-    """One constant force along the follower."""
+    """Constant force along the follower."""
 
     def __init__(self, force: float, joint: Joint, speed: float, law: WearLaw) -> None:
         load = constant_load(force, joint.pin_radius)
@@ -83,7 +83,7 @@ class ConstantForce:
         return ()
 
     def clearance(self, front: Front) -> float:
-        """Return the initial clearance: no mechanism takes part."""
+        """Return the initial clearance: no mechanism is involved."""
         return self._joint.clearance
 
     def coupling_error(self, cycles: float) -> float:
@@ -98,8 +98,8 @@ class ConstantForce:
 class Constrained:
     """Forces of a joint by constraints: techniques 1 and 2.
 
-    ``clearance``: that of the new joint in the kinematics, m; 0 is the perfect joint. With
-    ``follows_wear`` it grows by the wear depth at the contact point (paper, section 4.2).
+    ``clearance``: of the new joint in the kinematics, m; 0: perfect joint. With ``follows_wear`` it
+    increases by the wear depth at the contact point (paper, section 4.2).
     """
 
     single = False
@@ -131,18 +131,18 @@ class Constrained:
         return ()
 
     def clearance(self, front: Front) -> float:
-        """Return the clearance, grown by the depth at the contact point where it follows that."""
+        """Return the clearance, with ``follows_wear`` including the depth at the contact point."""
         joint = self._parameters.joint
         if not self._follows:
             return self._new
         return self._new + front.depth_at_contact_point(joint.bushing_radius)
 
     def coupling_error(self, cycles: float) -> float:
-        """Return 0: forces follow the wear in every step, so that the steps' error has it."""
+        """Return 0: forces follow the wear in each step, so this is part of the steps' error."""
         return 0.0
 
     def notes(self, front: Front) -> Iterable[str]:
-        """Return a sentence where continuous contact does not hold."""
+        """Return a message if continuous contact does not hold."""
         if self._new == 0.0 and not self._follows:
             return ()
         angle = 2.0 * np.pi * np.arange(360) / 360
@@ -163,10 +163,10 @@ class Constrained:
         return switched(loads, rate, joint, self._parameters.bushing.law)
 
     def _sampled(self, positions: int, gap: float) -> CycleLoads:
-        """Return the loads at equal crank angles, or gathered where their direction swings wide.
+        """Return the loads at equal crank angles, or merged if their direction varies widely.
 
-        A force that keeps its direction needs few crank angles, and equal ones are best by far,
-        unless the wear coefficient jumps between them.
+        A force of nearly constant direction needs few crank angles, best at equal steps, unless the
+        wear coefficient changes abruptly between them.
         """
         if self._wide is None:
             dense = self._loads(DENSE, gap)

@@ -1,4 +1,4 @@
-"""The worn surface and its steps: explicit as in the paper, and implicit."""
+"""The worn surface and its implicit steps."""
 
 from __future__ import annotations
 
@@ -28,19 +28,19 @@ from rigapp_model.wear.loads import CycleLoads
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# Part of the largest force by which the conditions of contact may fail in an implicit step.
+# Tolerance of the conditions of contact in an implicit step, relative to the largest force.
 STEP_TOLERANCE = 1e-4
-# Rounds of a step whose coefficient depends on the pressure: each leaves a third of the error at an
-# exponent of 1.5, a half at 2.
+# Iterations of a step whose coefficient depends on the pressure: each reduces the error to a third
+# at an exponent of 1.5, to a half at 2.
 _MOST_ROUNDS = 40
-_ROUND_TOLERANCE = 3e-4  # of the coefficient where much wears; its part in the depth is less
+_ROUND_TOLERANCE = 3e-4  # of the coefficient, where wear is large; its effect on the depth is less
 
 
 @dataclass(frozen=True, slots=True)
 class WearProblem:
-    """The constants of a life: ring, condensed mesh, width (m), K (m^2/N), wear law.
+    """Constants of a life: ring, condensed mesh, width (m), K (m^2/N), wear law.
 
-    ``compliance`` is that between the surface nodes that may ever touch.
+    ``compliance``: between the surface nodes that may touch.
     """
 
     ring: Ring
@@ -51,16 +51,16 @@ class WearProblem:
     law: WearLaw = ARCHARD
 
     def unworn(self) -> Front:
-        """Return the surface before any wear."""
+        """Return the unworn surface."""
         return Front(self.ring.circle(self.sectors))
 
 
 @dataclass(frozen=True, slots=True)
 class Front:
-    """A worn surface, (2 x sectors, 2), m, and its last contacts.
+    """Worn surface, (2 x sectors, 2), m, and its last contacts.
 
-    ``pins`` (M, 2), ``touching`` and ``force`` (M, N; N/m) of the crank positions: from them the
-    next step starts; empty before the first one.
+    ``pins`` (M, 2), ``touching`` and ``force`` (M, N; N/m) of the crank positions: start of the
+    next step; None before the first one.
     """
 
     surface: Array
@@ -69,7 +69,7 @@ class Front:
     force: Array | None = None
 
     def depth(self, inner: float) -> Array:
-        """Return the radial depth of wear at each node, m; exactly 0 where nothing wore."""
+        """Return the radial depth of wear at each node, m; exactly 0 at unworn nodes."""
         depth = np.hypot(self.surface[:, 0], self.surface[:, 1]) - inner
         depth[np.abs(depth) < 1e-14 * inner] = 0.0
         return depth
@@ -77,8 +77,8 @@ class Front:
     def depth_at_contact_point(self, inner: float) -> float:
         """Return the radial depth at the contact point, m.
 
-        The node at angle 0, where a follower in tension bears, or the one opposite, where one in
-        compression does: the deeper of the two.
+        The larger one of the nodes at angle 0, the contact of a follower in tension, and opposite,
+        that of a follower in compression.
         """
         depth = self.depth(inner)
         return max(float(depth[len(self.surface) // 2]), float(depth[0]), 0.0)
@@ -93,10 +93,10 @@ def wear_problem(
     half_angle: float,
     law: WearLaw = ARCHARD,
 ) -> WearProblem:
-    """Return the problem on a mesh with the given number of sectors.
+    """Return the problem on a mesh with this number of sectors.
 
-    half_angle: rad; nodes further than it from every force's direction never touch.
-    Raises ModelError for a width or a wear coefficient out of range.
+    half_angle: rad, of the arc about each force's direction in which nodes may touch. Raises
+    ModelError for a width or a wear coefficient out of range.
     """
     require_positive("bushing_width", width, "m")
     require_not_negative("wear_coefficient", wear_coefficient, "m^2/N")
@@ -106,7 +106,7 @@ def wear_problem(
 
 
 def touched(problem: WearProblem, front: Front, loads: CycleLoads) -> Front:
-    """Return the front with the contacts of all positions solved on it, without wear."""
+    """Return the front with the solved contacts of all positions, without wear."""
     surface = np.ascontiguousarray(front.surface[problem.compliance.nodes])
     force = loads.force / problem.width
     contacts = [
@@ -122,14 +122,14 @@ def touched(problem: WearProblem, front: Front, loads: CycleLoads) -> Front:
 
 
 def _starts(front: Front, positions: int) -> list[Contact | None]:
-    """Return the contacts that a front carries as starts, or None for each."""
+    """Return the contacts of a front as starts, or None for each position."""
     if front.pins is None or len(front.pins) != positions:
         return [None] * positions
     assert front.touching is not None
     assert front.force is not None
-    nothing = np.empty((0, 4))
+    empty_frame = np.empty((0, 4))
     return [
-        Contact(pin, force, nothing, nothing, touching, 0)
+        Contact(pin, force, empty_frame, empty_frame, touching, 0)
         for pin, force, touching in zip(front.pins, front.force, front.touching, strict=True)
     ]
 
@@ -137,13 +137,12 @@ def _starts(front: Front, positions: int) -> list[Contact | None]:
 def implicit_step(
     problem: WearProblem, front: Front, loads: CycleLoads, cycles: float, splits: int = 8
 ) -> Front:
-    """Advance by a backward Euler step over a number of cycles, all positions together.
+    """Advance by a backward Euler step over ``cycles``, coupled over all positions.
 
-    Unconditionally stable. A step whose sets of touching nodes do not settle, as weak forces in the
-    wear of strong ones may cause, is taken in two halves, up to ``splits`` times. Where the law
-    depends on the local pressure, the step is repeated with the
-    coefficient that its own pressures give. Raises ContactError when a contact cannot carry its
-    force.
+    Unconditionally stable. If the sets of touching nodes do not converge, as with weak forces in
+    the wear of strong ones, the step is halved, up to ``splits`` times. If the law depends on the
+    local pressure, the step is repeated with the coefficient of its own pressures. Raises
+    ContactError if a contact cannot carry its force.
     """
     require_positive("cycles", cycles)
     if problem.wear_coefficient == 0.0:
@@ -152,17 +151,17 @@ def implicit_step(
         front = touched(problem, front, loads)
     if problem.law.exponent == 1.0:
         return _step(problem, front, loads, cycles, splits)
-    return _raised(problem, front, loads, cycles, splits)
+    return _pressure_dependent_step(problem, front, loads, cycles, splits)
 
 
-def _raised(
+def _pressure_dependent_step(
     problem: WearProblem, front: Front, loads: CycleLoads, cycles: float, splits: int
 ) -> Front:
-    """Advance by a step whose coefficient fits the pressures at its end, by a fixed point.
+    """Advance by a step with the coefficient of the pressures at its end, by fixed-point iteration.
 
-    Where little wears the pressure is given and the first guess is right; where much does the depth
-    is, and pressure answers a coefficient that is too large by as much as its exponent. The root of
-    that converges in both.
+    With little wear the pressure is nearly constant and the first guess correct; with much wear the
+    depth is, and the pressure varies with the inverse of the coefficient, so that the update has
+    its exponent. The root of that exponent converges in both cases.
     """
     law, start = problem.law, front
     share = shares(law, contact_pressure(problem, front), loads.wearing)
@@ -171,24 +170,24 @@ def _raised(
             worn = _step(problem, start, loads, cycles, 0, share)
         except _Unsettled:
             break
-        # Only the pressures of the step give its wear: its surface has moved by then.
+        # Weights of the surface before the step: the step's wear is that of its pressures on these.
         assert worn.force is not None
         weights = simpson_weights(front.surface)[problem.compliance.nodes]
-        wanted = shares(law, worn.force / weights, loads.wearing)
+        target = shares(law, worn.force / weights, loads.wearing)
         pressed = loads.wearing @ worn.force
-        off = np.abs(wanted / share - 1.0)[pressed > FAINT * pressed.max()]
-        if off.max(initial=0.0) <= _ROUND_TOLERANCE:
+        error = np.abs(target / share - 1.0)[pressed > FAINT * pressed.max()]
+        if error.max(initial=0.0) <= _ROUND_TOLERANCE:
             return worn
-        share *= (wanted / share) ** (1.0 / max(law.exponent, 1.0))
+        share *= (target / share) ** (1.0 / max(law.exponent, 1.0))
         start = replace(front, pins=worn.pins, touching=worn.touching, force=worn.force)
     if splits <= 0:
         raise ContactError("cycles", cycles, say("pressure and wear coefficient found no balance"))
-    half = _raised(problem, front, loads, 0.5 * cycles, splits - 1)
-    return _raised(problem, half, loads, 0.5 * cycles, splits - 1)
+    half = _pressure_dependent_step(problem, front, loads, 0.5 * cycles, splits - 1)
+    return _pressure_dependent_step(problem, half, loads, 0.5 * cycles, splits - 1)
 
 
 class _Unsettled(Exception):
-    """The sets of touching nodes did not settle."""
+    """The sets of touching nodes did not converge."""
 
 
 def _step(
@@ -201,7 +200,8 @@ def _step(
 ) -> Front:
     """Advance by one implicit step; share (N,): factor of K at each node.
 
-    With a share that cannot settle it raises _Unsettled, else it is taken in halves.
+    Without convergence it raises _Unsettled if the law has a pressure exponent, else the step is
+    halved.
     """
     assert front.pins is not None
     assert front.touching is not None
@@ -259,7 +259,7 @@ def _step(
 
 
 def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> None:
-    """Raise ContactError when a step has no solution or left the arc of nodes."""
+    """Raise ContactError if a step has no solution or exceeds the arc of nodes."""
     if status != active_set.CARRIED:
         raise ContactError(
             "force",
@@ -274,11 +274,11 @@ def _check(problem: WearProblem, status: int, touching: Flags, force: float) -> 
 
 
 class WornThrough(ModelError):
-    """The wear has reached the bushing's rim."""
+    """The wear reaches the bushing's rim."""
 
 
 def refuse_worn_through(problem: WearProblem, surface: Array) -> None:
-    """Raise WornThrough when the surface reaches the rim."""
+    """Raise WornThrough if the surface reaches the rim."""
     deepest = float(np.hypot(surface[:, 0], surface[:, 1]).max()) - problem.ring.inner
     if deepest >= problem.ring.wall:
         raise WornThrough(
@@ -293,7 +293,7 @@ def refuse_worn_through(problem: WearProblem, surface: Array) -> None:
 
 
 def contact_pressure(problem: WearProblem, front: Front) -> Array:
-    """Return the pressure of every position on the surface nodes of the problem, (M, N), Pa."""
+    """Return the pressure of each position on the surface nodes of the problem, (M, N), Pa."""
     assert front.force is not None
     return front.force / simpson_weights(front.surface)[problem.compliance.nodes]
 
@@ -301,15 +301,15 @@ def contact_pressure(problem: WearProblem, front: Front) -> Array:
 def worn_area(problem: WearProblem, surface: Array) -> float:
     """Return the area between the unworn and the worn inner surface, m^2.
 
-    The edges of the elements are parabolas through their three nodes, to which Simpson's weights
-    of the pressure belong: so the area is that of the worn length times depth, also on few nodes.
+    The edges of the elements are parabolas through their three nodes, consistent with Simpson's
+    weights of the pressure, so that the area is accurate on few nodes as well.
     """
     return _inside(surface) - _unworn_area(problem.ring, problem.sectors)
 
 
 @lru_cache(maxsize=32)
 def _unworn_area(ring: Ring, sectors: int) -> float:
-    """Return the area inside the unworn surface on a mesh, m^2, which every step needs."""
+    """Return the area inside the unworn surface on a mesh, m^2; cached, as each step needs it."""
     return _inside(ring.circle(sectors))
 
 
@@ -317,8 +317,8 @@ def _inside(nodes: Array) -> float:
     """Return the area inside a surface, m^2."""
     first, middle = nodes[0::2], nodes[1::2]
     last = np.concatenate([first[1:], first[:1]])
-    bulged = _cross(first, middle) + _cross(middle, last)
-    return float(np.sum(4.0 * bulged - _cross(first, last))) / 6.0
+    twice_area = _cross(first, middle) + _cross(middle, last)
+    return float(np.sum(4.0 * twice_area - _cross(first, last))) / 6.0
 
 
 def _cross(first: Array, second: Array) -> Array:

@@ -1,4 +1,4 @@
-"""Forces for a life from pin and bushing as separate bodies (technique 3)."""
+"""Forces of a life with pin and bushing as separate bodies (technique 3)."""
 
 from __future__ import annotations
 
@@ -22,28 +22,27 @@ from rigapp_model.wear.plan import SAMPLING_COVERAGE
 
 Array = NDArray[np.float64]
 
-SAMPLES = 720  # without impacts forces are as smooth as the angle: half a degree
-# With impacts no revolution is like the next: many are taken, sampled densely, since impacts are
-# short.
+SAMPLES = 720  # per revolution without impacts, where forces are smooth: half a degree
+# With impacts revolutions differ and impacts are short: many revolutions, with dense samples.
 SAMPLES_WITH_IMPACTS = 3600
 FEWEST_REVOLUTIONS, MOST_REVOLUTIONS = 32, 128
-# Directions in which revolutions with impacts are stored.
+# Directions to which revolutions with impacts are reduced.
 DIRECTIONS = 1440
-# The forces' sampling error may take this part of the tolerance.
+# Share of the tolerance for the sampling error of the forces.
 SAMPLING_SHARE = 0.3
 # Parts of the revolutions that are compared for the sampling error.
 PARTS = 8
-# The forces are computed again whenever the wear has grown by this part of the clearance.
+# Increase of the wear, relative to the clearance, after which the forces are recomputed.
 REFRESH = 0.1
 
 
 class SeparateBodies:
-    """Forces of a pin that is held by contact alone, on the worn profile.
+    """Forces of a pin held by contact only, on the worn profile.
 
-    The integration of a revolution takes longer than the wear, so its forces are kept until the
-    wear at the contact point has grown by a tenth of the clearance; ``coupling_error`` bounds the
-    effect. Where contact is lost, many revolutions are taken, and ``samples`` are parts of them for
-    the uncertainty of their means.
+    The integration of a revolution takes longer than the wear step, so its forces are reused until
+    the wear at the contact point has grown by a tenth of the clearance; ``coupling_error`` bounds
+    the effect. If contact is lost, the forces are means over many revolutions, and ``samples`` are
+    parts of these for the uncertainty.
     """
 
     single = False
@@ -63,15 +62,15 @@ class SeparateBodies:
         self._stages: dict[int, _Stage] = {}
 
     def unworn(self, positions: int) -> CycleLoads:
-        """Return the loads of the unworn joint, gathered from densely sampled revolutions."""
+        """Return the loads of the unworn joint, merged from densely sampled revolutions."""
         return gathered(self._unworn().loads, positions).pressing()
 
     def samples(self, positions: int) -> Sequence[CycleLoads]:
-        """Return the unworn joint's loads by parts of its revolutions; none if all are alike."""
+        """Return the unworn joint's loads by parts of its revolutions; empty if all are equal."""
         return [gathered(part, positions).pressing() for part in self._unworn().parts]
 
     def at(self, front: Front, cycles: float, positions: int) -> CycleLoads:
-        """Return the loads on the worn surface as it was at the last refresh."""
+        """Return the loads on the worn surface at the last refresh."""
         number = int(self._depth(front) / self._step)
         if number not in self._stages:
             self._stages[number] = self._computed(front, cycles)
@@ -81,11 +80,11 @@ class SeparateBodies:
         return gathered(stage.loads, positions).pressing()
 
     def clearance(self, front: Front) -> float:
-        """Return the clearance grown by the wear at the contact point, m."""
+        """Return the clearance including the wear at the contact point, m."""
         return self._parameters.joint.clearance + self._depth(front)
 
     def coupling_error(self, cycles: float) -> float:
-        """Return a bound of the depth's error by forces kept between refreshes, m."""
+        """Return a bound of the depth's error due to forces reused between refreshes, m."""
         stages = [self._stages[n] for n in sorted(self._stages)]
         means = [stage.loads.mean_force for stage in stages if stage.since <= cycles]
         if len(means) < 2:
@@ -95,7 +94,7 @@ class SeparateBodies:
         return float(sum(changes)) * self._step
 
     def notes(self, front: Front) -> Iterable[str]:
-        """Return sentences on the time in contact, and on the ripple of friction."""
+        """Return messages on the time in contact, and on the ripple of friction."""
         stage = min(self._stages.values(), key=lambda stage: stage.contact_fraction)
         if stage.contact_fraction < 1.0 - 1e-12:
             yield (
@@ -125,7 +124,7 @@ class SeparateBodies:
         return self._stages[0]
 
     def _computed(self, front: Front | None, cycles: float) -> _Stage:
-        """Integrate revolutions on a worn surface: one, or as many as the tolerance needs."""
+        """Integrate revolutions on a worn surface: one, or enough for the tolerance."""
         p = self._parameters
         system = clearance_system(
             p.mechanism,
@@ -143,29 +142,29 @@ class SeparateBodies:
             revolutions.append(_loads(cycle, p))
             work.add(_work(revolutions[-1]))
             touch.add(cycle.contact_fraction)
-            if self._enough(len(revolutions), work.result()):
+            if self._is_accurate(len(revolutions), work.result()):
                 break
-        parts = [_together(revolutions[part::PARTS]) for part in range(PARTS)]
+        parts = [_mean_revolution(revolutions[part::PARTS]) for part in range(PARTS)]
         return _Stage(
-            _together(revolutions),
+            _mean_revolution(revolutions),
             tuple(parts),
             float(touch.result().value),
             len(revolutions),
             cycles,
         )
 
-    def _enough(self, revolutions: int, work: Mean) -> bool:
-        """Return whether the largest work is known well enough, or that would take too long."""
+    def _is_accurate(self, revolutions: int, work: Mean) -> bool:
+        """Return whether the largest work is known to the tolerance, or the limit is reached."""
         if revolutions < FEWEST_REVOLUTIONS or revolutions % PARTS:
             return False
         most = int(np.argmax(work.value))
-        wanted = SAMPLING_SHARE * self._tolerance / SAMPLING_COVERAGE * work.value[most]
-        return bool(work.standard_error[most] <= wanted) or revolutions >= MOST_REVOLUTIONS
+        allowed = SAMPLING_SHARE * self._tolerance / SAMPLING_COVERAGE * work.value[most]
+        return bool(work.standard_error[most] <= allowed) or revolutions >= MOST_REVOLUTIONS
 
 
 @dataclass(frozen=True, slots=True)
 class _Stage:
-    """The loads on one worn surface, by parts of the revolutions, and when they were new."""
+    """Loads on one worn surface, by parts of the revolutions, and the cycle of their refresh."""
 
     loads: CycleLoads
     parts: tuple[CycleLoads, ...]
@@ -183,17 +182,17 @@ def _profile(front: Front, inner: float) -> WornSurface:
 
 
 def _loads(cycle: ContactCycle, parameters: Parameters) -> CycleLoads:
-    """Return the normal forces of a revolution, pressing on the bushing, over the distance slid.
+    """Return the normal forces of a revolution on the bushing, over the sliding distance.
 
-    Each stretch between two samples has the mean force over its slip, in its mean direction: the
-    integrals of every impact are kept, however short it is.
+    Between two samples it is the mean force over the slip, in its mean direction, so that the
+    integrals of even the shortest impact are exact.
     """
     joint = parameters.joint
     length = np.hypot(cycle.pressed[0], cycle.pressed[1])
-    bears = (length > 0.0) & (cycle.slip > 0.0)
-    size = cycle.work[bears] / cycle.slip[bears]
+    loaded = (length > 0.0) & (cycle.slip > 0.0)
+    size = cycle.work[loaded] / cycle.slip[loaded]
     force = np.zeros((len(cycle.slip), 2))
-    force[bears] = (cycle.pressed[:, bears] / length[bears] * size).T
+    force[loaded] = (cycle.pressed[:, loaded] / length[loaded] * size).T
     period = 2.0 * np.pi / np.mean(np.abs(cycle.motion.speed))
     rate = cycle.slip * len(cycle.slip) / period
     loads = CycleLoads(force, cycle.slip, _idle(cycle.slip, joint))
@@ -201,24 +200,24 @@ def _loads(cycle: ContactCycle, parameters: Parameters) -> CycleLoads:
 
 
 def _idle(slip: Array, joint: Joint) -> float:
-    """Return the circumference less the distance that the pin slides in contact, m.
+    """Return the circumference less the sliding distance in contact, m.
 
-    So ``mean_force`` is the constant force that wears as much over the circumference.
+    So ``mean_force`` is the constant force with the same wear over the circumference.
     """
     return 2.0 * np.pi * joint.pin_radius - float(slip.sum())
 
 
 def _work(revolution: CycleLoads) -> Array:
-    """Return force times slip by tens of degrees of the force's direction, J."""
+    """Return force times slip per 10 degrees of the force's direction, J."""
     work = revolution.magnitude * revolution.wearing
     return np.histogram(revolution.direction, 36, (-np.pi, np.pi), weights=work)[0]
 
 
-def _together(revolutions: Sequence[CycleLoads]) -> CycleLoads:
-    """Return revolutions as one, in the order of direction: by crank angle they are not alike."""
+def _mean_revolution(revolutions: Sequence[CycleLoads]) -> CycleLoads:
+    """Return the mean of revolutions, merged by direction, as they differ at equal crank angles."""
     force = np.concatenate([r.force for r in revolutions])
     slip = np.concatenate([r.slip for r in revolutions]) / len(revolutions)
     rates = [r.rate for r in revolutions if r.rate is not None]
     idle = float(np.mean([r.idle for r in revolutions]))
-    together = CycleLoads(force, slip, idle, np.concatenate(rates) if rates else None)
-    return gathered(together.pressing().by_direction(), DIRECTIONS)
+    merged = CycleLoads(force, slip, idle, np.concatenate(rates) if rates else None)
+    return gathered(merged.pressing().by_direction(), DIRECTIONS)

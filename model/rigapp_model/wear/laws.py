@@ -1,7 +1,7 @@
-"""The wear laws in one table: each is Archard's with a wear coefficient that is not a constant.
+"""Table of the wear laws: each is Archard's with a variable wear coefficient.
 
-A new law is one row here, its numbers in ``rigapp_model.parameters.WearLaw``, and what it does in
-``rigapp_model.wear.coefficient``. Nothing is imported here: a command line's help reads the names.
+A new law is one row here, its parameters in ``rigapp_model.parameters.WearLaw``, and its effect in
+``rigapp_model.wear.coefficient``. Imports no numerical library: the command line's help uses it.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from rigapp.texts import say
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """One wear law. sentence: for help, form and docs; needs: its keys of ``[wear]``.
+    """Wear law. sentence: for help, form and docs; needs: its keys of ``[wear]``.
 
-    bound: of the error of a life by it, in words.
+    bound: text on the error of a life with it.
     """
 
     name: str
@@ -58,10 +58,10 @@ LAWS = {
         ),
     )
 }
-"""Name -> wear law, as test and parameter files name it."""
+"""Name in test and parameter files -> wear law."""
 
 
 def sentence_of(name: str) -> str:
-    """Return a law and the bound of its error, as one sentence."""
+    """Return a text with a law and the bound of its error."""
     law = LAWS[name]
     return say("Wear law {}: {}; {}.", name, law.sentence, law.bound)

@@ -1,4 +1,4 @@
-"""The life of the bushing: mechanism and wear coupled, with the error of the result."""
+"""Life of the bushing: coupled mechanism and wear, with the error of the result."""
 
 from __future__ import annotations
 
@@ -36,27 +36,27 @@ from rigapp_model.wear.techniques import LifeOptions, technique_of
 Array = NDArray[np.float64]
 Method = Literal["implicit", "explicit"]
 
-# What the tolerance of the coupled contact solution can add, as a part of the depth.
+# Error due to the tolerance of the coupled contact solution, relative to the depth.
 _SOLUTION_ERROR = 3e-5
 FAINTEST_WEAR = 1e-11
-"""Of the bushing's radius: the steps find a depth to 1e-16 of it, and this to a part in 1e5."""
-_SAFETY = 1.25  # each part is an estimate from two runs: a quarter more makes it a bound
+"""Least wear depth over the bushing's radius: steps resolve 1e-16 of it, so this depth to 1e-5."""
+_SAFETY = 1.25  # factor from estimates by two runs to a bound
 
 
 @dataclass(frozen=True, slots=True)
 class Life:
-    """The life of a bushing in SI; one entry of each column a row, the last is the end.
+    """Life of a bushing in SI; each column has one entry per row, the last row is the end.
 
     Columns: ``cycles``; ``max_depth`` (m); ``worn_area`` (m^2); ``worn_mass`` (kg);
     ``peak_pressure`` (Pa); ``mean_force`` (N, over the slip); ``peak_force`` (N);
-    ``clearance`` (m): R2 - R1 in the mechanism; ``estimated_error`` (m) of the depth and
-    ``area_error`` (m^2), ``mass_error`` (kg): steps, crank positions, mesh, coupling and sampled
-    forces together, not less than the true ones.
+    ``clearance`` (m): R2 - R1 in the mechanism; ``estimated_error`` (m) of the depth,
+    ``area_error`` (m^2), ``mass_error`` (kg): bounds of the error due to steps, crank positions,
+    mesh, coupling and sampled forces together.
     Profile: ``angle`` (rad) from -pi in the follower frame, 0 at the initial contact point;
-    ``depth`` (m). ``positions``, ``sectors``, ``steps``: as used. ``notes``: sentences that
-    the user must read. ``tolerance_met``: whether the error at the end is within the tolerance.
-    ``complete``: whether the last row is the requested end, not where time ran out.
-    ``extrapolation``: of explicit steps; None of implicit ones.
+    ``depth`` (m). ``positions``, ``sectors``, ``steps``: as used. ``notes``: messages that the user
+    must read. ``tolerance_met``: whether the error at the end is within the tolerance.
+    ``complete``: whether the last row is the requested end; False after a time-out.
+    ``extrapolation``: of explicit steps; None for implicit ones.
     """
 
     technique: str
@@ -99,14 +99,14 @@ def life(
     """Compute the wear of the bushing over a number of crank cycles.
 
     speed: of the crank, rad/s; technique: one of ``TECHNIQUES``; tolerance: of the depth at the
-    end, as a part of it; force: a constant force along the follower, N, instead of the mechanism's;
-    evolving: False keeps the clearance of "continuous" as it was when new; method: "implicit" steps
-    as the tolerance needs them, or "explicit" ones, the paper's, of at most ``step`` cycles, None
-    for half the stability limit; contact: of an elastic bushing or of a bed of springs, "winkler";
-    rows: cycles to be reported, increasing, the end among them or not, None for 1, 3, 10 and so on;
-    progress: called with the part done. It may raise OutOfTime: the life then ends with the last
-    row reached; without one OutOfTime is raised again. Raises ModelError, ContactError or
-    WornThrough naming what is wrong, UnstableStep for a step beyond the stability limit.
+    end, relative; force: constant force along the follower, N, instead of that of the mechanism;
+    evolving: False uses the initial clearance in "continuous" throughout; method: "implicit", with
+    steps to suit the tolerance, or "explicit", as in the paper, with steps of at most ``step``
+    cycles, None: half the stability limit; contact: elastic bushing or elastic foundation,
+    "winkler"; rows: cycles to report, increasing, with or without the end, None: 1, 3, 10, ...;
+    progress: called with the fraction done. It may raise OutOfTime: the life then ends with the
+    last row, or the exception propagates if there is none. Raises ModelError, ContactError or
+    WornThrough with the cause, UnstableStep for a step beyond the stability limit.
     """
     require_positive("cycles", cycles)
     require_finite("speed", speed, "rad/s")
@@ -124,10 +124,10 @@ def life(
     ring = ring_of(parameters.joint, parameters.bushing.material, contact=contact)
     if force is None and speed == 0.0:
         raise ModelError("speed", speed, say("a stationary crank causes no wear"), "rad/s")
-    tell = progress or (lambda part: None)
+    report = progress or (lambda part: None)
     source = (
         technique_of(technique).source(
-            parameters, LifeOptions(speed, tolerance, lambda: tell(0.0), evolving)
+            parameters, LifeOptions(speed, tolerance, lambda: report(0.0), evolving)
         )
         if force is None
         else constant_source(force, parameters.joint, speed, law)
@@ -135,25 +135,27 @@ def life(
     width, coefficient = parameters.joint.bushing_width, parameters.bushing.wear_coefficient
     joint = (ring, width, coefficient, law)
     steady = float(steady_cycles(law, cycles))
-    plan = plan_life(*joint, source.unworn, steady, tolerance, source.single, lambda: tell(0.0))
+    plan = plan_life(*joint, source.unworn, steady, tolerance, source.single, lambda: report(0.0))
     unworn = source.unworn(plan.positions)
     _refuse_faint_wear(parameters, unworn, steady)
     explicit = None
     if method == "explicit":
         explicit = extrapolation(ring, plan.sectors, coefficient, unworn, step)
-    simplified = simplification(ring, float(unworn.magnitude.max()) / width)
+    model_notes = simplification(ring, float(unworn.magnitude.max()) / width)
     parts = source.samples(plan.positions)
     sampling = sampling_errors(*joint, plan, unworn.pressing(), parts, steady)
-    wanted = row_cycles(cycles) if rows is None else _asked_rows(rows, cycles)
-    task = _Task(parameters, ring, source, plan, technique, tolerance, cycles, explicit, wanted)
-    computed = _life(task, sampling, _moments(task, tell))
+    reported_rows = row_cycles(cycles) if rows is None else _requested_rows(rows, cycles)
+    task = _Task(
+        parameters, ring, source, plan, technique, tolerance, cycles, explicit, reported_rows
+    )
+    computed = _life(task, sampling, _moments(task, report))
     by_law = () if law == ARCHARD else (sentence_of(law.name),)
-    return replace(computed, notes=simplified + by_law + computed.notes)
+    return replace(computed, notes=model_notes + by_law + computed.notes)
 
 
 @dataclass(frozen=True, slots=True)
 class _Task:
-    """The task: inputs, plan and options."""
+    """Inputs, plan and options of a life."""
 
     parameters: Parameters
     ring: Ring
@@ -166,11 +168,11 @@ class _Task:
     rows: Array
 
 
-def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
-    """Run the life on its plan, again on a larger arc when the contact outgrows it.
+def _moments(task: _Task, report: Callable[[float], None]) -> list[Moment]:
+    """Integrate the life; repeat it on a larger arc if the contact exceeds the arc.
 
-    Where ``tell`` raises OutOfTime after the first step, the moments so far are returned. Rows,
-    steps and moments count by the law's progress, in cycles at the steady coefficient.
+    If ``report`` raises OutOfTime after the first step, the moments so far are returned. Rows,
+    steps and moments are in the law's progress: cycles at the steady coefficient.
     """
     plan, source, explicit = task.plan, task.source, task.explicit
     window, law = plan.half_angle, task.parameters.bushing.law
@@ -196,14 +198,14 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
                 integrate(problem, loads_at, rows, TIME_SHARE * task.tolerance)
                 if explicit is None
                 else explicit_moments(
-                    problem, loads_at, rows, explicit.step, lambda done: tell(done / end)
+                    problem, loads_at, rows, explicit.step, lambda done: report(done / end)
                 )
             )
             for moment in course:
                 if not moments:
                     _refuse_overload(problem, moment)
                 moments.append(moment)
-                tell(moment.cycles / end)
+                report(moment.cycles / end)
         except OutOfTime:
             if len(moments) < 2:
                 raise
@@ -217,24 +219,24 @@ def _moments(task: _Task, tell: Callable[[float], None]) -> list[Moment]:
 
 
 def simplification(ring: Ring, force: float) -> tuple[str, ...]:
-    """Return the effect of a bed of springs on the unworn pressure under a force (N/m), in words.
+    """Return a message on the unworn pressure of an elastic foundation under a force (N/m).
 
-    Empty for an elastic bushing. Raises ContactError when the bed cannot carry the force.
+    Empty for an elastic bushing. Raises ContactError if the foundation cannot carry the force.
     """
     if ring.contact == "finite-element":
         return ()
-    bed, elastic = (
+    foundation, elastic = (
         1e-6 * float(pressure_distribution(each, (force, 0.0)).pressure.max())
         for each in (ring, replace(ring, contact="finite-element"))
     )
-    side = "below" if bed < elastic else "above"
+    side = "below" if foundation < elastic else "above"
     return (
         say(
             "Contact winkler: the bushing is a bed of springs. Unworn, its peak pressure of"
             " {:.4g} MPa is {:.0%} {} the {:.4g} MPa of an elastic bushing; the stated"
             " errors are those of the computation, not of this simplification.",
-            bed,
-            abs(bed / elastic - 1.0),
+            foundation,
+            abs(foundation / elastic - 1.0),
             side,
             elastic,
         ),
@@ -242,7 +244,7 @@ def simplification(ring: Ring, force: float) -> tuple[str, ...]:
 
 
 def _refuse_faint_wear(parameters: Parameters, loads: CycleLoads, cycles: float) -> None:
-    """Raise ModelError for a wear coefficient whose wear is lost in rounding; 0 wears nothing."""
+    """Raise ModelError if the wear is lost in rounding; a coefficient of 0 is allowed."""
     joint, coefficient = parameters.joint, parameters.bushing.wear_coefficient
     pressure = loads.mean_force / (2.0 * joint.pin_radius * joint.bushing_width)
     unit = pressure * float(loads.wearing.sum()) * cycles
@@ -261,7 +263,7 @@ def _refuse_faint_wear(parameters: Parameters, loads: CycleLoads, cycles: float)
 
 
 def _refuse_overload(problem: WearProblem, unworn: Moment) -> None:
-    """Raise ContactError when the unworn bushing is loaded beyond linear elasticity."""
+    """Raise ContactError if the unworn bushing is loaded beyond linear elasticity."""
     assert unworn.front.pins is not None
     ring, surface = problem.ring, unworn.front.surface
     refuse_beyond_elasticity(
@@ -274,14 +276,14 @@ def _refuse_overload(problem: WearProblem, unworn: Moment) -> None:
 
 
 def row_cycles(cycles: float) -> Array:
-    """Return the cycles to report: 1, 3, 10, ... in the last three and a half decades; the end."""
+    """Return the default rows: 1, 3, 10, ... of the last three and a half decades, and the end."""
     series = [lead * 10.0**power for power in range(13) for lead in (1.0, 3.0)]
     rows = [n for n in series if cycles / 3000.0 <= n < 0.95 * cycles]
     return np.array([*rows, cycles])
 
 
-def _asked_rows(rows: ArrayLike, cycles: float) -> Array:
-    """Return the requested cycles with the end of the life; raise ModelError for unusable ones."""
+def _requested_rows(rows: ArrayLike, cycles: float) -> Array:
+    """Return the requested rows with the end of the life; raise ModelError if not increasing."""
     selected = np.atleast_1d(np.asarray(rows, dtype=np.float64))
     selected = selected[selected < cycles]
     if selected.size and not (selected[0] > 0.0 and np.all(np.diff(selected) > 0.0)):
@@ -292,7 +294,7 @@ def _asked_rows(rows: ArrayLike, cycles: float) -> Array:
 def _life(
     task: _Task, sampling: tuple[RelativeError, RelativeError], moments: list[Moment]
 ) -> Life:
-    """Return the record of a run's moments."""
+    """Return the life from its moments."""
     parameters, source, cycles = task.parameters, task.source, task.cycles
     fronts = [Front(m.surface) for m in moments]
     depth = np.array([f.depth(task.ring.inner).max() for f in fronts])
@@ -367,34 +369,34 @@ def _errors(
     depth: Array,
     area: Array,
 ) -> tuple[dict[str, Array], dict[str, Array]]:
-    """Return the parts of the error of the depth (m) and of the worn area (m^2), by their causes.
+    """Return the errors of the depth (m) and of the worn area (m^2), by cause.
 
-    The mesh's bound is that of the depth for both: the area converges faster. The relative error of
-    a force is that of the area, and an upper bound for the depth.
+    The mesh's bound for the depth is used for both, as the area converges faster. The relative
+    error of a force is that of the area, and an upper bound for the depth.
     """
     done = np.array([m.cycles for m in moments])
     mesh = mesh_error(np.array([0.5 * m.nodes_in_contact for m in moments])) + _SOLUTION_ERROR
     law = task.parameters.bushing.law
-    kept = np.array([task.source.coupling_error(float(cycles_at(law, c))) for c in done])
+    coupling = np.array([task.source.coupling_error(float(cycles_at(law, c))) for c in done])
     of_depth = {
         "time steps": np.array([m.time_error for m in moments]),
         "crank positions": task.plan.depth_error.after(done) * depth,
         "mesh": mesh * depth,
-        "forces kept while the surface wears": kept,
+        "forces kept while the surface wears": coupling,
         "sampling of revolutions with lost contact": sampling[0].after(done) * depth,
     }
     of_area = {
         "time steps": np.array([m.area_error for m in moments]),
         "crank positions": task.plan.area_error.after(done) * area,
         "mesh": mesh * area,
-        "forces kept while the surface wears": area * kept / np.maximum(depth, 1e-300),
+        "forces kept while the surface wears": area * coupling / np.maximum(depth, 1e-300),
         "sampling of revolutions with lost contact": sampling[1].after(done) * area,
     }
     return of_depth, of_area
 
 
 def _least_area(parameters: Parameters, cycles: Array, mean_force: Array) -> float:
-    """Return the worn area (m^2) of Archard's law with the force itself for the pressure's sum."""
+    """Return the worn area (m^2) by Archard's law with the force for the sum of the pressure."""
     weaker = np.minimum(mean_force[1:], mean_force[:-1])
     joint = parameters.joint
     slip = 2.0 * np.pi * joint.pin_radius
@@ -403,10 +405,9 @@ def _least_area(parameters: Parameters, cycles: Array, mean_force: Array) -> flo
 
 
 def below_archard(area: float, error: float, least: float) -> list[str]:
-    """Return a sentence when a worn area (m^2) with its error is less than physics allows.
+    """Return a message if a worn area (m^2) plus its error is less than physically possible.
 
-    Pressures on both sides of a contact push against each other, so that their sum is never less
-    than the force.
+    Pressures on both sides of a contact partly cancel, so that their sum is at least the force.
     """
     if area + error >= least:
         return []

@@ -1,4 +1,4 @@
-"""Normal force and sliding distance of one revolution, at some crank positions."""
+"""Normal force and sliding distance of one revolution, at selected crank positions."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class CycleLoads:
-    """The forces of one revolution in the wear frame, and the slip that each acts over.
+    """Forces of one revolution in the wear frame, and the slip under each.
 
-    ``force`` (M, 2), N: pressing force on the bushing by the pin; x points from the bushing's
+    ``force`` (M, 2), N: normal force on the bushing by the pin; x points from the bushing's
     centre to the initial contact point, which is towards the crank, y is 90 degrees further
     counter-clockwise: minus the components in the follower frame. ``slip`` (M,), m: its sum and
-    ``idle``, the slip without force, are the pin's circumference; where the pin travels in its
-    clearance it can slide further than that, and ``idle`` is negative. ``rate`` (M,): factor of the
-    wear coefficient at each position, None where it is the same at all.
+    ``idle``, the slip without force, add up to the pin's circumference; if the pin moves in its
+    clearance the sum can be larger, and ``idle`` negative. ``rate`` (M,): factor of the wear
+    coefficient at each position, None if it is 1.
     """
 
     force: Array
@@ -41,12 +41,12 @@ class CycleLoads:
 
     @property
     def wearing(self) -> Array:
-        """Return the slip of each position times its rate, m: what wears with one coefficient."""
+        """Return the slip of each position times its rate, m."""
         return self.slip if self.rate is None else self.slip * self.rate
 
     @property
     def magnitude(self) -> Array:
-        """Return the size of each force, N."""
+        """Return the magnitude of each force, N."""
         return np.hypot(self.force[:, 0], self.force[:, 1])
 
     @property
@@ -56,36 +56,36 @@ class CycleLoads:
 
     @property
     def mean_force(self) -> float:
-        """Return the mean size of the force over the slip, N: what decides the worn volume.
+        """Return the mean magnitude of the force over the slip, N, which sets the worn volume.
 
-        The constant force that does the same sliding work over slip and ``idle``.
+        The constant force with the same sliding work over slip and ``idle``.
         """
         total = float(self.slip.sum()) + self.idle
         return float(self.slip @ self.magnitude) / total if total > 0.0 else 0.0
 
     def pressing(self) -> CycleLoads:
-        """Return only the positions that press and slide at all."""
+        """Return the positions with force and slip; the slip of the others is added to ``idle``."""
         size = self.magnitude
-        kept = (size > 1e-9 * size.max(initial=0.0)) & (self.slip > 0.0)
-        if kept.all():
+        active = (size > 1e-9 * size.max(initial=0.0)) & (self.slip > 0.0)
+        if active.all():
             return self
-        return replace(self._only(kept), idle=self.idle + float(self.slip[~kept].sum()))
+        return replace(self._selected(active), idle=self.idle + float(self.slip[~active].sum()))
 
     def by_direction(self) -> CycleLoads:
-        """Return the positions in the order of their forces' directions."""
+        """Return the positions ordered by the direction of the force."""
         order = np.argsort(self.direction, kind="stable")
-        return self._only(order)
+        return self._selected(order)
 
-    def _only(self, places: NDArray[np.bool_] | NDArray[np.int64]) -> CycleLoads:
-        """Return some of the positions."""
-        rate = None if self.rate is None else self.rate[places]
-        return CycleLoads(self.force[places], self.slip[places], self.idle, rate)
+    def _selected(self, selected: NDArray[np.bool_] | NDArray[np.int64]) -> CycleLoads:
+        """Return the selected positions."""
+        rate = None if self.rate is None else self.rate[selected]
+        return CycleLoads(self.force[selected], self.slip[selected], self.idle, rate)
 
 
 def constant_load(force: float, pin_radius: float) -> CycleLoads:
-    """Return a constant force (N) along the follower, pulling it towards the crank when positive.
+    """Return a constant force (N) along the follower, positive towards the crank.
 
-    The slip of a revolution is the pin's circumference.
+    The slip per revolution is the pin's circumference.
     """
     if not np.isfinite(force) or force == 0.0:
         raise ModelError("force", force, say("give a finite force other than 0"), "N")
@@ -98,61 +98,61 @@ def loads_of_cycle(
     friction_coefficient: float = 0.0,
     sliding: ArrayLike = 1.0,
 ) -> CycleLoads:
-    """Return loads from a force on the follower in its own frame.
+    """Return loads from a force on the follower in the follower frame.
 
     force_follower: (2, M), N; slip: (M,), m. With friction the force is not normal to the surface:
-    the pressing part is the force turned back by atan(mu) against the sense of sliding (sign of
-    ``sliding``), times its cosine.
+    the normal component is the force turned back by atan(mu) against the direction of sliding (sign
+    of ``sliding``), times the cosine of that angle.
     """
     fx, fy = -np.asarray(force_follower, dtype=np.float64)
     turn = -np.sign(np.asarray(sliding)) * np.arctan(friction_coefficient)
     share = 1.0 / np.sqrt(1.0 + friction_coefficient**2)
     c, s = share * np.cos(turn), share * np.sin(turn)
-    force, over = np.empty((*fx.shape, 2)), np.empty(fx.shape)
+    force, distance = np.empty((*fx.shape, 2)), np.empty(fx.shape)
     force[..., 0], force[..., 1] = c * fx - s * fy, s * fx + c * fy
-    over[...] = slip
-    return CycleLoads(force, over)
+    distance[...] = slip
+    return CycleLoads(force, distance)
 
 
 WIDE_SWING = 1.0
-"""Swing of the force's direction, rad, from which on equal crank angles do not serve."""
+"""Range of the force's direction, rad, above which equal crank angles are unsuitable."""
 
 
 def swing(loads: CycleLoads) -> float:
-    """Return the angle through which the force's direction swings in a revolution, rad."""
+    """Return the range of the force's direction in a revolution, rad."""
     return float(np.ptp(np.unwrap(loads.direction))) if loads.slip.size else 0.0
 
 
 SWING_WEIGHT = 2.0
-"""Weight of a swing through an angle against the same part of the revolution."""
+"""Weight of a change of the force's direction relative to the same crank angle."""
 
 
 def _edges(loads: CycleLoads, positions: int) -> NDArray[np.int64]:
     """Return the first sample of each part.
 
-    The parts are equal in a measure of time and of swing; the swing of a weak force, which wears
-    little wherever it points, counts less, with the root of its size.
+    The parts are equal in a weighted sum of crank angle and change of direction; the latter is
+    weighted with the root of the force, as a weak force causes little wear in any direction.
     """
     count = len(loads.slip)
     direction = loads.direction
     swing = np.abs(np.angle(np.exp(1j * (np.roll(direction, -1) - direction))))
     size = loads.magnitude / max(loads.mean_force, 1e-300)
     weight = 2.0 * np.pi / count + SWING_WEIGHT * swing * np.sqrt(np.minimum(size, 1.0))
-    reached = np.cumsum(weight)
-    wanted = reached[-1] * np.arange(1, positions) / positions
-    edges = np.r_[0, np.searchsorted(reached, wanted * (1.0 - 1e-12), side="left") + 1]
-    # Each part has a sample of its own, from the front and from the back.
+    cumulative = np.cumsum(weight)
+    targets = cumulative[-1] * np.arange(1, positions) / positions
+    edges = np.r_[0, np.searchsorted(cumulative, targets * (1.0 - 1e-12), side="left") + 1]
+    # At least one sample in each part, counted from the front and from the back.
     first = np.arange(positions)
     edges = np.maximum.accumulate(np.maximum(edges - first, 0)) + first
     return np.minimum(edges, count - positions + first)
 
 
 def gathered(loads: CycleLoads, positions: int) -> CycleLoads:
-    """Return a densely sampled revolution as fewer positions, each the mean of its part.
+    """Merge a densely sampled revolution into fewer positions, each the mean of its part.
 
-    The parts are shorter where the direction swings fast, so that no part presses in places far
-    apart. Size and direction are averaged apart, weighted with the slip, so that the product of
-    force and slip, which decides the worn volume, is kept.
+    The parts are shorter where the direction changes fast, so that the contact of a part is at one
+    place. Magnitude and direction are averaged separately, weighted with the slip, which conserves
+    force times slip and so the worn volume.
     """
     count = len(loads.slip)
     if positions >= count:
@@ -162,10 +162,10 @@ def gathered(loads: CycleLoads, positions: int) -> CycleLoads:
     sums = np.add.reduceat(loads.force * loads.slip[:, None], edges, axis=0)
     work = np.add.reduceat(loads.magnitude * loads.slip, edges)
     length = np.hypot(sums[:, 0], sums[:, 1])
-    kept = (slip > 0.0) & (length > 0.0)
-    size = work[kept] / slip[kept]
-    idle = loads.idle + float(slip[~kept].sum())
+    active = (slip > 0.0) & (length > 0.0)
+    size = work[active] / slip[active]
+    idle = loads.idle + float(slip[~active].sum())
     rate = None
     if loads.rate is not None:
-        rate = np.add.reduceat(loads.magnitude * loads.wearing, edges)[kept] / work[kept]
-    return CycleLoads(sums[kept] / length[kept, None] * size[:, None], slip[kept], idle, rate)
+        rate = np.add.reduceat(loads.magnitude * loads.wearing, edges)[active] / work[active]
+    return CycleLoads(sums[active] / length[active, None] * size[:, None], slip[active], idle, rate)

@@ -1,4 +1,4 @@
-"""The discretisation for a tolerance: crank positions, mesh and arc."""
+"""Discretisation for a tolerance: crank positions, mesh and arc."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ from rigapp_model.wear.richardson import EARLY_TOLERANCE
 Array = NDArray[np.float64]
 LoadsOf = Callable[[int], CycleLoads]
 
-# More are not used: without a spring 96 leave an error of 0.3 % of the depth, which is reported.
+# Limited to 96: without a spring the remaining error is 0.3 % of the depth, and is reported.
 POSITIONS = (4, 6, 8, 12, 16, 24, 32, 48, 64, 96)
-_MESH_ERROR = 0.3  # twice the largest error that comparing meshes showed
-# Shares of the tolerance: positions, mesh and steps, with life's _SAFETY, stay below 0.9 of it.
+_MESH_ERROR = 0.3  # twice the largest error in a comparison of meshes
+# Shares of the tolerance: positions, mesh and steps, with life's _SAFETY, are below 0.9 of it.
 _POSITION_SHARE, _MESH_SHARE, TIME_SHARE = 0.15, 0.33, 0.22
-_WIDE_SHARE = 0.165  # where the force swings positions converge slowly, and get more of it
-_EARLY_PART = 0.01  # of a life: there the contact is narrow, and the relative error large
+_WIDE_SHARE = 0.165  # share of positions that converge slowly, with a varying force direction
+_EARLY_PART = 0.01  # of a life: the contact is narrow, and the relative error large
 FAINTEST = 1e-9
-"""Of modulus times radius and width: a weaker force touches less than the finest mesh has."""
+"""Least force over modulus, radius and width: the finest mesh does not resolve a weaker contact."""
 SAMPLING_COVERAGE = 3.0
-"""Standard errors of sampled forces that count as the bound of their error."""
+"""Bound of the error of sampled forces, in standard errors."""
 
 
 @dataclass(frozen=True, slots=True)
 class RelativeError:
-    """An error as a part of a depth or of an area over a life of ``cycles``.
+    """Relative error of a depth or of an area over a life of ``cycles``.
 
     ``early``, ``late``: after a hundredth and at the end of the life.
     """
@@ -52,11 +52,11 @@ class RelativeError:
     cycles: float
 
     def after(self, cycles: Array) -> Array:
-        """Return a bound of the relative error after some cycles.
+        """Return a bound of the relative error after ``cycles``.
 
-        Between the two known ones it follows a power law. Before the early one the contact was
-        narrower, by the root of the cycles, and met by fewer positions: it grows with the inverse
-        of the cycles, which bounded 14 random lives; the inverse root was up to 1.3 times too low.
+        A power law between the two known values. Before the early one the contact is narrower, with
+        the root of the cycles, and has fewer positions: there it is proportional to the inverse of
+        the cycles, which bounded 14 random lives; the inverse root was up to 1.3 times too low.
         """
         part = np.maximum(cycles / self.cycles, 1e-12)
         early, late = max(self.early, 1e-12), max(self.late, 1e-12)
@@ -67,11 +67,11 @@ class RelativeError:
 
 @dataclass(frozen=True, slots=True)
 class LifePlan:
-    """The discretisation of a life.
+    """Discretisation of a life.
 
-    ``positions``: of the crank, and their errors in depth and in worn area, from comparing with
-    twice as many; ``sectors`` of the mesh, and of the ``coarse`` one that positions
-    were compared on; ``half_angle`` (rad) of the arc of nodes.
+    ``positions``: of the crank, with their errors in depth and in worn area, by comparison with
+    twice as many; ``sectors`` of the mesh, and of the ``coarse`` mesh of that comparison;
+    ``half_angle`` (rad) of the arc of nodes.
     """
 
     positions: int
@@ -93,11 +93,11 @@ def plan_life(
     single: bool = False,
     alive: Callable[[], None] = lambda: None,
 ) -> LifePlan:
-    """Choose crank positions and mesh by single steps over the whole life on a coarse mesh.
+    """Choose crank positions and mesh by a few steps over the whole life on a coarse mesh.
 
-    loads_of: the loads of a revolution for a number of positions; single: they are the same for
-    any number, one force; alive: called between steps, and may raise. Raises ContactError when the
-    bushing cannot carry the force.
+    loads_of: loads of a revolution for a number of positions; single: one force, the same for any
+    number; alive: called between steps, may raise. Raises ContactError if the bushing cannot carry
+    the force.
     """
     loads = loads_of(1 if single else 72).pressing()
     if not loads.slip.size:
@@ -124,9 +124,9 @@ def plan_life(
 
 
 def mesh_error(nodes_in_half: Array) -> Array:
-    """Return a bound of the depth's relative error by the number of nodes in half the contact.
+    """Return a bound of the depth's relative error for a number q of nodes in half the contact.
 
-    0.3 / q^2 (1 + 12 / q^2): found by comparing meshes, about twice the largest error met.
+    0.3 / q^2 (1 + 12 / q^2), from a comparison of meshes: about twice the largest error.
     """
     inverse = 1.0 / np.square(nodes_in_half)
     return np.minimum(_MESH_ERROR * inverse * (1.0 + 12.0 * inverse), 1.0)
@@ -143,7 +143,7 @@ def expected_half_angle(
 ) -> float:
     """Return an upper estimate of the contact's half-angle at the end, rad.
 
-    The larger of Persson's for the unworn bushing and that of a rigid pin wearing at one angle.
+    The larger one of that of the unworn bushing and that of a rigid pin that wears at one angle.
     """
     elastic = ring.half_angle(float(loads.magnitude.max()) / width)
     if ring.clearance <= 0.0:
@@ -174,7 +174,7 @@ def _planned(
     window: float,
     alive: Callable[[], None],
 ) -> LifePlan:
-    """Return the plan for an arc of nodes; raise ArcTooSmall when the contact leaves it."""
+    """Return the plan for an arc of nodes; raise ArcTooSmall if the contact exceeds it."""
 
     def problem(sectors: int, loads: CycleLoads) -> WearProblem:
         return wear_problem(ring, sectors, width, wear_coefficient, loads, window, law)
@@ -202,19 +202,22 @@ def _planned(
             (other_first, other_first_area), (other_last, other_last_area) = end(2 * positions)
             early = _largest_difference(first, other_first, ring.inner)
             late = compared(last, other_last, ring.inner)
-            areas = (_part(first_area, other_first_area), _part(last_area, other_last_area))
+            areas = (
+                _relative_difference(first_area, other_first_area),
+                _relative_difference(last_area, other_last_area),
+            )
             share = _WIDE_SHARE if wide else _POSITION_SHARE
             if late <= share * tolerance and early <= EARLY_TOLERANCE * tolerance:
                 break
-    reached = end(positions)[-1][0]
-    assert reached.touching is not None
-    worn_half = 0.5 * (float(reached.touching.sum(axis=1).max()) - 1.0) * np.pi / coarse
-    wanted = max(
+    final = end(positions)[-1][0]
+    assert final.touching is not None
+    worn_half = 0.5 * (float(final.touching.sum(axis=1).max()) - 1.0) * np.pi / coarse
+    nodes_per_rad = max(
         nodes_for(_MESH_SHARE * tolerance) / max(worn_half, unworn_half),
         nodes_for(8.0 * tolerance) / unworn_half,
         3.0 / unworn_half,
     )
-    sectors = min(sectors_at_least(wanted * np.pi), most)
+    sectors = min(sectors_at_least(nodes_per_rad * np.pi), most)
     return LifePlan(
         positions,
         RelativeError(1.5 * early, 1.5 * late, cycles),
@@ -228,7 +231,7 @@ def _planned(
 def _coarse_life(
     problem: WearProblem, loads: CycleLoads, cycles: float
 ) -> tuple[tuple[Front, float], ...]:
-    """Return fronts and areas after a hundredth and after the whole life, in three steps."""
+    """Return fronts and areas after a hundredth and at the end of the life, in three steps."""
     early = implicit_step(problem, problem.unworn(), loads, _EARLY_PART * cycles)
     middle = implicit_step(problem, early, loads, 0.2 * cycles)
     late = implicit_step(problem, middle, loads, (0.8 - _EARLY_PART) * cycles)
@@ -245,15 +248,15 @@ def sampling_errors(
     samples: Sequence[CycleLoads],
     cycles: float,
 ) -> tuple[RelativeError, RelativeError]:
-    """Return bounds of the errors of depth and of area by forces that were sampled.
+    """Return bounds of the errors of depth and of area due to the sampling of forces.
 
-    all_loads: the loads; samples: the same by parts of the sample. Each part gives its own life,
-    coarsely; the error of the mean is their spread over sqrt(parts). Three times that, and the
-    bias of their mean, since a part with its larger scatter wears deeper in places.
+    all_loads: of all revolutions; samples: of parts of them. Each part gives a coarse life; the
+    standard error of the mean is their spread over sqrt(parts). The bound is three times that plus
+    the bias of their mean, as the larger scatter of a part causes more local depth.
     """
-    nothing = RelativeError(0.0, 0.0, cycles)
+    none = RelativeError(0.0, 0.0, cycles)
     if len(samples) < 2:
-        return nothing, nothing
+        return none, none
     lives = []
     for loads in (all_loads, *samples):
         problem = wear_problem(
@@ -261,31 +264,31 @@ def sampling_errors(
         )
         ends = _coarse_life(problem, loads, cycles)
         lives.append([(float(front.depth(ring.inner).max()), area) for front, area in ends])
-    together, parts = np.array(lives[0]), np.array(lives[1:])
+    all_life, parts = np.array(lives[0]), np.array(lives[1:])
     spread = parts.std(axis=0, ddof=1) / np.sqrt(len(samples))
-    bias = np.abs(parts.mean(axis=0) - together) / (len(samples) - 1)
-    part = (SAMPLING_COVERAGE * spread + bias) / np.maximum(np.abs(together), 1e-300)
+    bias = np.abs(parts.mean(axis=0) - all_life) / (len(samples) - 1)
+    part = (SAMPLING_COVERAGE * spread + bias) / np.maximum(np.abs(all_life), 1e-300)
     of_depth, of_area = (RelativeError(float(e), float(end), cycles) for e, end in part.T)
     return of_depth, of_area
 
 
-def _part(first: float, second: float) -> float:
-    """Return the difference of two areas as a part of the second."""
+def _relative_difference(first: float, second: float) -> float:
+    """Return the difference of two areas relative to the second."""
     return abs(first - second) / max(abs(second), 1e-300)
 
 
 def _largest_difference(first: Front, second: Front, inner: float) -> float:
-    """Return the largest difference of two fronts where they are deep, as a part of the depth."""
+    """Return the largest difference of two fronts in the deep region, relative to the depth."""
     a, b = first.depth(inner), second.depth(inner)
     deepest = float(b.max())
     return float(np.abs(a - b)[b >= 0.5 * deepest].max()) / max(deepest, 1e-300)
 
 
 def _difference(first: Front, second: Front, inner: float) -> float:
-    """Return the difference of two fronts as a part of the depth.
+    """Return the difference of two fronts relative to the depth.
 
-    The larger of that of their largest depths and of the root mean square where they are deep:
-    few positions press small pits, which make no depth.
+    The larger one of the difference of their largest depths and of the root mean square in the deep
+    region: few positions cause small pits, which do not affect the depth.
     """
     a, b = first.depth(inner), second.depth(inner)
     deepest = float(b.max())
@@ -295,7 +298,7 @@ def _difference(first: Front, second: Front, inner: float) -> float:
 
 
 def _most_sectors(loads: CycleLoads, window: float) -> int:
-    """Return the most sectors that keep the arc of nodes within MOST_NODES."""
+    """Return the largest number of sectors with at most MOST_NODES on the arc."""
     share = len(arc_nodes(1440, loads.direction, window)) / 2880.0
     most = 0.5 * MOST_NODES / share
     return max([n for n in SECTORS if n <= most], default=SECTORS[0])

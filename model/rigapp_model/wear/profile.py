@@ -12,9 +12,9 @@ Array = NDArray[np.float64]
 
 
 def profile(surface: Array, ring: Ring) -> Array:
-    """Return the radial depth at the mesh's own angles, m: worn nodes have moved a little."""
+    """Return the radial depth at the angles of the unworn mesh, m: worn nodes have moved."""
     sectors = len(surface) // 2
-    own = surface_angles(sectors)
-    moved = np.angle((surface[:, 0] + 1j * surface[:, 1]) * np.exp(-1j * own))
+    unworn = surface_angles(sectors)
+    moved = np.angle((surface[:, 0] + 1j * surface[:, 1]) * np.exp(-1j * unworn))
     depth = np.hypot(surface[:, 0], surface[:, 1]) - ring.inner
-    return np.interp(own, own + moved, depth, period=2.0 * np.pi).clip(min=0.0)
+    return np.interp(unworn, unworn + moved, depth, period=2.0 * np.pi).clip(min=0.0)

@@ -1,9 +1,9 @@
-"""Wear in time with a known error: three runs side by side, each with half the step of the last.
+"""Integration of wear with an error estimate: three parallel runs, each with half the step.
 
 Backward Euler is of first order; two runs extrapolate to second order (Richardson). Three runs
 give two such results, and their difference is three times the error of the better one. The runs
-stay apart from the first cycle to the last, so that the difference is the error of the whole life
-and not that of a step.
+are independent over the whole life, so that the difference is the error of the life and not that
+of a step.
 """
 
 from __future__ import annotations
@@ -29,29 +29,28 @@ from rigapp_model.wear.loads import CycleLoads
 Array = NDArray[np.float64]
 LoadsAt = Callable[[Front, float], CycleLoads]
 
-# Ratio of the permitted relative error to the tolerance early in a life; it shrinks with the root
-# of the cycles.
+# Relative error allowed early in a life, in tolerances; decreases with the root of the cycles.
 EARLY_TOLERANCE = 5.0
-# No step is made smaller than this part of the cycles done by then.
+# Smallest step, relative to the cycles done.
 SMALLEST_PART = 0.15
 FIRST_PART = 1.2e-3
-"""No first step is longer than this part of the life: the contact grows fastest at the beginning.
+"""Longest first step, relative to the life: the contact grows fastest at the beginning.
 
-The first of the usual rows, at most a part in 900 of the life, is reached by one."""
+Reaches the first default row, at most 1/900 of the life, in one step."""
 LARGEST_GROWTH = 5.0
-"""Largest ratio of a step to the one before: a rejected step costs its time."""
+"""Largest ratio of consecutive steps: a rejected step costs its time."""
 _RUNS = (1, 2, 4)  # two extrapolations need three runs
 
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """The wear after a number of cycles.
+    """Wear after ``cycles``.
 
     ``surface`` (2 x sectors, 2), m, extrapolated to second order; ``area`` (m^2) likewise;
-    ``time_error``, ``area_error``: bounds of the depth's (m) and the area's (m^2) error by the
-    steps; ``peak_pressure``, Pa;
-    ``mean_force`` and ``peak_force``, N; ``nodes_in_contact``: of the widest contact;
-    ``front``: of the run with the finest steps; ``steps``: of all runs since the last moment.
+    ``time_error``, ``area_error``: bounds of the error of depth (m) and area (m^2) due to the
+    steps; ``peak_pressure``, Pa; ``mean_force`` and ``peak_force``, N; ``nodes_in_contact``: of the
+    widest contact; ``front``: of the run with the finest steps; ``steps``: of all runs since the
+    last moment.
     """
 
     cycles: float
@@ -71,10 +70,10 @@ def first_moment(problem: WearProblem, loads_at: LoadsAt, start: Front) -> Momen
     """Return the moment before the first cycle."""
     loads = loads_at(start, 0.0)
     front = touched(problem, start, loads)
-    nothing = np.zeros_like(front.surface)
+    no_error = np.zeros_like(front.surface)
     area = worn_area(problem, front.surface)
     return moment_of(
-        problem, 0.0, front, loads, RichardsonEstimate(front.surface, nothing, area, 0.0), 0
+        problem, 0.0, front, loads, RichardsonEstimate(front.surface, no_error, area, 0.0), 0
     )
 
 
@@ -85,11 +84,11 @@ def integrate(
     tolerance: float,
     start: Front | None = None,
 ) -> Iterator[Moment]:
-    """Yield the moment at every row, from 0 cycles on, and at what other steps the error needs.
+    """Yield the moment at 0 cycles, at each row, and at steps between as the error requires.
 
-    loads_at: the loads for a front and its number of cycles; rows: increasing cycles above 0;
-    tolerance: of the depth at the end, as a part of it; earlier up to five times as much.
-    Raises ContactError, WornThrough or ModelError.
+    loads_at: loads for a front after a number of cycles; rows: increasing cycles above 0;
+    tolerance: of the depth at the end, relative; earlier up to five times as large. Raises
+    ContactError, WornThrough or ModelError.
     """
     if not tolerance > 0.0:
         raise ModelError("tolerance", tolerance, say("it must be greater than 0"))
@@ -106,18 +105,18 @@ def integrate(
             depth = moment.front.depth(problem.ring.inner).max()
             early = float(np.clip(np.sqrt(rows[-1] / target), 1.0, EARLY_TOLERANCE))
             allowed = tolerance * float(depth) * early
-            # Of the step: the allowed part, the error being of second order.
-            suited = 0.8 * np.sqrt(allowed / max(moment.time_error, 1e-300))
-            # Smaller steps are of no use where the error is older, or the mesh's: nodes that come
+            # Suitable factor of the step for an error of second order.
+            step_factor = 0.8 * np.sqrt(allowed / max(moment.time_error, 1e-300))
+            # Smaller steps do not reduce an earlier error, or that of the mesh, where nodes come
             # into contact one after another.
-            worth_it = target - done > SMALLEST_PART * target
-            if worth_it and allowed < moment.time_error < 0.7 * refused:
-                step = (target - done) * float(np.clip(suited, 0.2, 0.7))
+            effective = target - done > SMALLEST_PART * target
+            if effective and allowed < moment.time_error < 0.7 * refused:
+                step = (target - done) * float(np.clip(step_factor, 0.2, 0.7))
                 refused = moment.time_error
                 continue
             refused = np.inf
-            # A step cut short by a row is no reason against the longer one before.
-            step = max(step, (target - done) * float(np.clip(suited, 1.5, LARGEST_GROWTH)))
+            # A step shortened by a row does not reduce the next one.
+            step = max(step, (target - done) * float(np.clip(step_factor, 1.5, LARGEST_GROWTH)))
             runs, done = after, target
             yield moment
 
@@ -156,7 +155,7 @@ def _moment(
 
 @dataclass(frozen=True, slots=True)
 class RichardsonEstimate:
-    """A worn surface (m) and its error, its area (m^2) and the area's error."""
+    """Worn surface (m) and its error, its area (m^2) and the area's error."""
 
     surface: Array
     off: Array
@@ -172,9 +171,9 @@ def moment_of(
     estimate: RichardsonEstimate,
     steps: int,
 ) -> Moment:
-    """Return the moment of a front whose contacts are solved."""
+    """Return the moment of a front with solved contacts."""
     depth = front.depth(problem.ring.inner)
-    # Where the contact's edge passes, steps on a mesh are never smooth; the depth is made inside.
+    # Error inside the contact only: at its moving edge, steps on a mesh are never smooth.
     deep = depth >= 0.5 * depth.max()
     assert front.touching is not None
     return Moment(

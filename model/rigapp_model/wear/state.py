@@ -1,4 +1,4 @@
-"""Wear beside a running test: a small state, advanced by what was measured or predicted."""
+"""Wear during a running test: a small state, advanced by measured or predicted revolutions."""
 
 from __future__ import annotations
 
@@ -28,17 +28,17 @@ from rigapp_model.wear.profile import profile
 
 Array = NDArray[np.float64]
 
-POSITIONS = 12  # of the crank: 96 change the depth by 1e-6 and take seven times as long
-LARGEST_SECTORS = 360  # twice as many do not change the depth of the reference joint
+POSITIONS = 12  # of the crank: with 96 the depth changes by 1e-6, in seven times the time
+LARGEST_SECTORS = 360  # with twice as many the depth of the reference joint does not change
 
 
 @dataclass(frozen=True, slots=True)
 class WearState:
-    """The wear of a bushing after some cycles, in SI; ``advance`` returns a new one.
+    """Wear of a bushing after ``cycles``, in SI; ``advance`` returns a new state.
 
-    ``cycles``; ``max_depth`` (m); ``depth_at_contact`` (m) at the contact point: the growth of the
-    clearance; ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and
-    ``mean_force`` (N) of the last advance; ``estimated_error`` (m) of the depth.
+    ``max_depth`` (m); ``depth_at_contact`` (m) at the contact point: increase of the clearance;
+    ``worn_area`` (m^2); ``worn_mass`` (kg); ``peak_pressure`` (Pa) and ``mean_force`` (N) of the
+    last advance; ``estimated_error`` (m) of the depth.
     """
 
     parameters: Parameters
@@ -56,12 +56,12 @@ class WearState:
 
     @property
     def depth_at_contact(self) -> float:
-        """Return the depth at the contact point, in tension or compression, m."""
+        """Return the depth at the contact point of a follower in tension or compression, m."""
         return self.front.depth_at_contact_point(self.problem.ring.inner)
 
     @property
     def clearance(self) -> float:
-        """Return the radial clearance grown by the wear at the contact point, m."""
+        """Return the radial clearance including the wear at the contact point, m."""
         return self.problem.ring.clearance + self.depth_at_contact
 
     @property
@@ -76,11 +76,11 @@ class WearState:
 
     @property
     def estimated_error(self) -> float:
-        """Return a bound of the depth's error by steps and mesh, m."""
+        """Return a bound of the depth's error due to steps and mesh, m."""
         if self.front.touching is None:
             return 0.0
-        inside = 0.5 * float(self.front.touching.sum(axis=1).max())
-        return self.step_error + float(mesh_error(np.array(inside))) * self.max_depth
+        nodes_in_half = 0.5 * float(self.front.touching.sum(axis=1).max())
+        return self.step_error + float(mesh_error(np.array(nodes_in_half))) * self.max_depth
 
     def profile(self) -> tuple[Array, Array]:
         """Return angles (rad, from -pi, 0 at the initial contact point) and depths (m)."""
@@ -94,13 +94,13 @@ class WearState:
         cycles: float,
         sliding: ArrayLike = 1.0,
     ) -> WearState:
-        """Advance by a number of cycles like the given revolution.
+        """Advance by a number of cycles equal to this revolution.
 
         force_follower: (2, n), N, on the follower by the pin in the follower frame, measured or
         predicted, at equal steps of the crank; slip: (n,), m, from each sample to the next;
-        sliding: sliding speed, m/s; for friction its sign counts, for the regime its size. Many
-        samples are gathered into 12 positions. Two implicit steps; their difference from one is
-        added to the error. Raises ContactError or ModelError.
+        sliding: sliding speed, m/s; its sign is used for friction, its magnitude for the regime.
+        Samples are merged into 12 positions. Two implicit steps; their difference from a single
+        step is added to the error. Raises ContactError or ModelError.
         """
         return self.advance_by(worn_by(self.parameters, force_follower, slip, sliding), cycles)
 
@@ -135,7 +135,7 @@ class WearState:
 def worn_by(
     parameters: Parameters, force_follower: ArrayLike, slip: ArrayLike, sliding: ArrayLike = 1.0
 ) -> CycleLoads:
-    """Return a revolution's loads with the regimes they wear in; arguments as ``advance`` has."""
+    """Return a revolution's loads with the factors of their regimes; arguments as ``advance``."""
     joint = parameters.joint
     loads = loads_of_cycle(force_follower, slip, joint.friction_coefficient, sliding)
     return switched(loads, np.asarray(sliding), joint, parameters.bushing.law)
@@ -144,8 +144,8 @@ def worn_by(
 def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
     """Return the state before the first cycle.
 
-    typical_force: largest force to come, N; it decides the mesh, of 120 to 360 sectors, so that a
-    narrow contact is resolved. Raises ModelError for a force that is not above 0.
+    typical_force: largest expected force, N, which sets the mesh, of 120 to 360 sectors, so that a
+    narrow contact is resolved. Raises ModelError unless it is above 0.
     """
     if not (np.isfinite(typical_force) and typical_force > 0.0):
         raise ModelError("typical_force", typical_force, say("give a finite force above 0"), "N")
@@ -160,10 +160,10 @@ def unworn_state(parameters: Parameters, typical_force: float) -> WearState:
 def restored_state(
     parameters: Parameters, surface: ArrayLike, cycles: float, step_error: float = 0.0
 ) -> WearState:
-    """Return the state with a worn surface as ``state.front.surface`` had it, (nodes, 2), m.
+    """Restore a state from its ``front.surface``, (nodes, 2), m.
 
-    cycles, step_error: those of the state. Advancing continues as it would have. Raises ModelError
-    for a surface that is not one of this bushing.
+    cycles, step_error: of the state. It advances like the original. Raises ModelError for a surface
+    of another bushing.
     """
     nodes = np.ascontiguousarray(surface, dtype=np.float64)
     shape = nodes.shape
@@ -182,16 +182,16 @@ def restored_state(
 
 
 def _problem(parameters: Parameters, sectors: int) -> WearProblem:
-    """Return the problem with all surface nodes, for forces of any direction."""
+    """Return the problem with all surface nodes, for forces in any direction."""
     joint = parameters.joint
     ring = ring_of(joint, parameters.bushing.material)
-    anywhere = CycleLoads(np.array([[1.0, 0.0]]), np.array([1.0]))
+    any_load = CycleLoads(np.array([[1.0, 0.0]]), np.array([1.0]))
     return wear_problem(
         ring,
         sectors,
         joint.bushing_width,
         parameters.bushing.wear_coefficient,
-        anywhere,
+        any_load,
         np.pi,
         parameters.bushing.law,
     )

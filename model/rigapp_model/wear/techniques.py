@@ -1,7 +1,7 @@
-"""The joint techniques in one table: models of pin and bushing, and their forces.
+"""Table of the joint techniques: models of pin and bushing, and their forces.
 
-A new technique is one row here, and the module that computes it. Nothing is imported before it is
-needed: a command line's help reads the names.
+A new technique is one row here and the module that computes it. Imports are deferred, as the
+command line's help reads the names.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 class Solve(Protocol):
-    """Compute motion and forces of a crank whose motion is known."""
+    """Compute motion and forces for a known motion of the crank."""
 
     def __call__(
         self, parameters: Parameters, angle: Any, speed: Any, acceleration: Any, depth: float
     ) -> tuple[MechanismMotion, str]:
-        """Return the motion, and a sentence on it, empty when all assumptions hold.
+        """Return the motion, and a message, empty if all assumptions hold.
 
         angle (n,): rad; speed: rad/s; acceleration: rad/s^2; depth: of wear at the contact point,
         m.
@@ -34,11 +34,10 @@ class Solve(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class LifeOptions:
-    """The options of a life's loads.
+    """Options of the loads of a life.
 
-    speed: of the crank, rad/s. tolerance: of the depth, as a part of it, for forces that must be
-    sampled. alive: called in between where that takes long, and may raise. evolving: whether a
-    clearance grows with the wear.
+    speed: of the crank, rad/s. tolerance: of the depth, relative, for sampled forces. alive: called
+    during long computations; may raise. evolving: whether a clearance increases with the wear.
     """
 
     speed: float
@@ -52,11 +51,11 @@ Source = Callable[["Parameters", LifeOptions], "ForceSource"]
 
 @dataclass(frozen=True, slots=True)
 class Technique:
-    """One model of pin and bushing.
+    """Model of pin and bushing.
 
-    sentence: its assumption, for help, form and report. needs: its inputs beside the mechanism.
-    solve: None where the motion has to be integrated from impact to impact, so that a single
-    measured revolution has no prediction. source: of the loads of a life.
+    sentence: its assumption, for help, form and report. needs: its inputs besides the mechanism.
+    solve: None if the motion must be integrated from impact to impact, so that a single measured
+    revolution has no prediction. source: of the loads of a life.
     """
 
     name: str
@@ -86,23 +85,23 @@ def _continuous(
     return contact.motion, contact.sentence()
 
 
-def _perfect_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
+def _perfect_source(parameters: Parameters, options: LifeOptions) -> ForceSource:
     from rigapp_model.wear.forces import Constrained
 
-    return Constrained(parameters, wanted.speed, 0.0, follows_wear=False)
+    return Constrained(parameters, options.speed, 0.0, follows_wear=False)
 
 
-def _continuous_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
+def _continuous_source(parameters: Parameters, options: LifeOptions) -> ForceSource:
     from rigapp_model.wear.forces import Constrained
 
     clearance = parameters.joint.clearance
-    return Constrained(parameters, wanted.speed, clearance, follows_wear=wanted.evolving)
+    return Constrained(parameters, options.speed, clearance, follows_wear=options.evolving)
 
 
-def _contact_source(parameters: Parameters, wanted: LifeOptions) -> ForceSource:
+def _contact_source(parameters: Parameters, options: LifeOptions) -> ForceSource:
     from rigapp_model.wear.impact_forces import SeparateBodies
 
-    return SeparateBodies(parameters, wanted.speed, wanted.tolerance, wanted.alive)
+    return SeparateBodies(parameters, options.speed, options.tolerance, options.alive)
 
 
 TECHNIQUES = {
@@ -134,7 +133,7 @@ TECHNIQUES = {
 """Name -> technique: the paper's sections 3.1 and 3.2, and separate bodies."""
 
 SOLVABLE = tuple(name for name, technique in TECHNIQUES.items() if technique.solve is not None)
-"""Names of those that give the forces of a measured revolution."""
+"""Names of the techniques that compute the forces of a measured revolution."""
 
 
 def technique_of(name: str) -> Technique:
@@ -154,6 +153,6 @@ def solve_of(name: str) -> Solve:
 
 
 def listed(names: tuple[str, ...] = tuple(TECHNIQUES)) -> str:
-    """Return names as a list in a sentence."""
+    """Return names as an enumeration within a sentence."""
     *first, last = names
     return say("{} or {}", joined(", ", first), last) if first else last
