@@ -1,4 +1,4 @@
-"""The test under way, or the last one: its step, its file, its progress, its end."""
+"""The present or last test: its step, its file, its progress, its end."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from rigapp.schema.notices import Finished
 from rigapp.schema.states import Ending
 
 STEPS_LOGGED = 500
-"""Changes of step that the log of a test has room for, each with its states and its rest; of the
-8192 lines they take at most 3500. Which step a later revolution belongs to follows from its number.
+"""Changes of step in the log of a test, each with its states and its rest: at most 3500 of the
+8192 lines. The step of a later revolution follows from its number.
 """
 
 
 @dataclass(slots=True, eq=False)
 class Rest:
-    """A rest between two steps; its duration begins when the crank is stationary.
+    """Rest between two steps; its duration begins when the crank is stationary.
 
-    step: after which it is. since_s: host time of the standstill, None before. signals: of the
+    step: the step before it. since_s: host time of the standstill, None before. signals: of the
     load cell at that time.
     """
 
@@ -38,20 +38,20 @@ class Rest:
     signals: RestSignals | None = None
 
     def left_s(self, pace: float) -> float:
-        """Return the rig's time until its end. pace: the rig's seconds in one of this computer."""
-        rested = 0.0 if self.since_s is None else time.monotonic() - self.since_s
-        return max(0.0, self.duration_s - rested * pace)
+        """Return the remaining time of the rig. pace: seconds of the rig per second of the host."""
+        elapsed_s = 0.0 if self.since_s is None else time.monotonic() - self.since_s
+        return max(0.0, self.duration_s - elapsed_s * pace)
 
 
 @dataclass(slots=True, eq=False)
 class ActiveTest:
     """One test.
 
-    stage: the step that the crank is in; changes: of step, so far. approach: how a regular end
-    brings the crank to its rest. resting: the rest between two steps, None while there is none.
-    fresh: its file was made by its own start. steady_from: ordinal of the first whole revolution at
-    the set speed, None while it changes. off: power is off, or was commanded off. stood: the
-    spindle was stationary at the end, or could not be shown to be.
+    stage: present step; changes: of step, so far. approach: to the angle of rest at a regular end.
+    resting: present rest between two steps, else None. fresh: its start created the file.
+    steady_from: ordinal of the first complete revolution at the set speed, None while it changes.
+    off: power is off, or was commanded off. reached_standstill: the spindle is stationary at the
+    end, or that could not be confirmed.
     """
 
     document: Document[TestFile]
@@ -86,7 +86,7 @@ class ActiveTest:
 
     @property
     def logs_steps(self) -> bool:
-        """Return whether the log has room for the present change of step."""
+        """Return whether the present change of step is logged (``STEPS_LOGGED``)."""
         return self.changes <= STEPS_LOGGED
 
     @property
@@ -96,12 +96,12 @@ class ActiveTest:
 
     @property
     def ramp_rpm_per_s(self) -> float:
-        """Return how fast the speed of the step is reached."""
+        """Return the acceleration of the step."""
         return self.stage.acceleration_rpm_per_s
 
     @property
     def rows(self) -> int:
-        """Return the rows recorded."""
+        """Return the number of recorded rows."""
         return self.recorder.rows
 
     def begin(self, sample: int) -> None:
@@ -110,9 +110,10 @@ class ActiveTest:
         self.recorder.begin(sample)
 
     def end(self, ending: Ending) -> bool:
-        """Record an end; True when the drive must be commanded.
+        """Record an end; return whether the drive must be commanded.
 
-        For the first, for off, and for what is not regular: it forbids to turn on to the rest.
+        For the first end, for power off, and for an irregular one: that excludes the approach to
+        the angle of rest.
         """
         first = self.ending is None
         if self.ending is None:
@@ -120,6 +121,6 @@ class ActiveTest:
             self.stopping_since = time.monotonic()
         elif ending.fault > self.ending.fault:
             self.fault_sentence = self.fault_sentence or ending.sentence
-        tell = first or (ending.off and not self.off) or not (ending.off or ending.regular)
+        must_command = first or (ending.off and not self.off) or not (ending.off or ending.regular)
         self.off |= ending.off
-        return tell
+        return must_command

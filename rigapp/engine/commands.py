@@ -1,4 +1,4 @@
-"""Start a test, change a limit or its length, and name who ended it."""
+"""Commands on a test: start it, change a limit or its length; the text of its end."""
 
 from __future__ import annotations
 
@@ -42,11 +42,11 @@ from rigapp_model.dynamics import rest_angle
 EXTENDABLE = frozenset({RunState.STARTING, RunState.RUNNING, RunState.PAUSING, RunState.PAUSED})
 
 OVERSPEED_SHARE = 0.8
-"""Of the overspeed limit, which the ripple of an approach to the rest must not reach."""
+"""Speed limit of the approach to rest, as a fraction of the overspeed limit: margin for ripple."""
 
 
 def check_start(core: Core, rig: ConnectedRig, document: Document[TestFile]) -> RuleMonitor:
-    """Return the monitor of a test that may start; raise Refused or UnusableInput."""
+    """Check whether a test may start, and return its monitor; raise Refused or UnusableInput."""
     check_fit(core.rig.record, document)
     test = document.record
     run = test.run
@@ -83,7 +83,7 @@ def open_test(
     monitor: RuleMonitor,
     open_store: OpenStore,
 ) -> ActiveTest:
-    """Make the file of a test, or reopen it; raise UnusableInput."""
+    """Create or reopen the file of a test; raise UnusableInput."""
     test, path, calibration = request.test, request.path, request.calibration
     run = test.record.run
     opened = open_store(request)
@@ -150,7 +150,7 @@ def start_test(
     worn: SpecimenWear | None,
     records: Mapping[str, str],
 ) -> None:
-    """Make or reopen the file of a test and start to turn; see ``Engine.start``."""
+    """Create or reopen the file of a test and start the spindle; see ``Engine.start``."""
     processor = connection.rig.processor
     processor.use(processor.calibration.under(test.record.model.mechanism.gravity_m_s2))
     monitor = check_start(core, connection.rig, test)
@@ -198,7 +198,7 @@ def start_test(
 
 
 def _approach(test: TestFile) -> RestApproach:
-    """Return how the crank comes to its rest at a regular end."""
+    """Return the approach to the angle of rest at a regular end."""
     angle = rest_angle(to_parameters(test.model).mechanism)
     return RestApproach(
         None if angle is None else math.degrees(angle),
@@ -214,7 +214,7 @@ def _last_depth(worn: SpecimenWear | None) -> KnownDepth | None:
 
 
 def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -> StopMonitor:
-    """Return the criteria with the history of an earlier segment; raise UnusableInput."""
+    """Return the stop criteria with the history of earlier runs; raise UnusableInput."""
     stops = StopMonitor(test.stop)
     try:
         if stops.any:
@@ -230,13 +230,13 @@ def _stop_monitor(test: TestFile, opened: Opened, offset_s: float, path: Path) -
 
 
 def set_limit(core: Core, name: str, value: float, operator: str, reason: str) -> None:
-    """Change a limit of the test under way and log it; raise Refused, UnusableInput."""
+    """Change a limit of the active test and log it; raise Refused, UnusableInput."""
     active = core.test
     if active is None or core.state not in ACTIVE:
         raise Refused("limits are changed in the test file while no test is under way")
     before, limits = changed_limits(active.limits, name, value, core.table)
-    for fault in overspeed_faults(limits, active.sequence):
-        raise UnusableInput(fault)
+    for message in overspeed_faults(limits, active.sequence):
+        raise UnusableInput(message)
     refuse_blocked([overload_check(limits.overload_N, core.rig.record)])
     active.run.monitor.replace(limits.rule)
     active.limits = limits
@@ -252,7 +252,7 @@ def set_limit(core: Core, name: str, value: float, operator: str, reason: str) -
 
 
 def extend(core: Core, revolutions: int, operator: str, reason: str) -> None:
-    """Let the test under way end after another revolution and log it.
+    """Change the number of revolutions of the active test and log it.
 
     Raises Refused, UnusableInput.
     """
@@ -260,9 +260,9 @@ def extend(core: Core, revolutions: int, operator: str, reason: str) -> None:
     if active is None or core.state not in EXTENDABLE or active.run.complete:
         raise Refused("the number of revolutions is changed while a test runs or is paused")
     run = active.run
-    wrong = refusal("run.revolutions", revolutions)
-    if wrong:
-        raise UnusableInput(wrong)
+    problem = refusal("run.revolutions", revolutions)
+    if problem:
+        raise UnusableInput(problem)
     core.require(
         revolutions > run.number + 1,
         say(
@@ -279,12 +279,12 @@ def extend(core: Core, revolutions: int, operator: str, reason: str) -> None:
 
 
 def ended_by(operator: str, reason: str, *, off: bool) -> Sentence:
-    """Return who ended a test, and why; reason: in their own words, never translated."""
+    """Return a text with who ended a test and why; reason: as entered, not translated."""
     name = capitalised(operator) or say("The operator")
     done = say("{} switched the drive off", name) if off else say("{} stopped the test", name)
     return done + (_why(reason) or ".")
 
 
 def _why(reason: str) -> str:
-    """Return a reason as the end of a sentence; empty without one."""
+    """Return a reason as the end of a sentence, or an empty text."""
     return say(": {}", reason.strip()) if reason.strip() else ""

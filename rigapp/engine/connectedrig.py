@@ -1,4 +1,4 @@
-"""The devices of a rig while they are connected, and their newest readings."""
+"""The connected devices of a rig and their latest readings."""
 
 from __future__ import annotations
 
@@ -25,27 +25,27 @@ from rigapp.texts import joined, say
 from rigapp_drivers.api import Identity, SlowRequest, SlowSource, StreamSetup
 from rigapp_drivers.edge import GuardedSlow
 
-SMALLEST_QUEUE = 16384  # samples; the largest burst after a pause of the host
+SMALLEST_QUEUE = 16384  # samples; a possible burst after a pause of the host
 PACED_SAMPLES = 4096
-"""Unprocessed samples from which a simulated device pauses, or the samples of ``queue_age`` if that
-is more: a stop is not seen late, and no pass is idle."""
+"""Unprocessed samples from which simulated ones wait on the wire; those of ``queue_age`` if more.
+Low enough to detect a stop in time, high enough that no pass is idle."""
 
 FRESH_S = 0.5
-"""An older sample does not show the crank's present motion."""
+"""Age up to which a sample shows the crank's present motion."""
 
 SLOWEST_PACE = 0.02
-"""A simulated rig that runs slower than this has hung: time-outs are not stretched any more."""
+"""Least pace of a simulated rig to which time-outs are scaled; a slower rig hangs."""
 
 SHORT_SILENCE_S = 2.0
-"""A start waits for the end of a silence that has not lasted so long, and refuses a longer one."""
+"""Silence up to which a start waits for its end; after a longer one it is refused."""
 
 
 class ConnectedRig:
-    """The open devices, the samples that wait and those that are processed.
+    """Open devices, queued samples and processed samples.
 
-    The threads of a ``Connection`` feed it; any thread may read it. received_s: host time of the
-    newest samples; in_hand_ns: that of the block being processed, None between two. is_processing:
-    whether the thread that processes them runs; samples that it has not processed prove nothing.
+    The threads of a ``Connection`` write to it; any thread may read it. received_s: host time of
+    the latest samples; in_hand_ns: that of the block in processing, else None. is_processing:
+    whether the processing thread runs; unprocessed samples are no evidence of the motion.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class ConnectedRig:
         self.queue = BlockQueue(max(SMALLEST_QUEUE, round(timing.queue * setup.sample_rate_Hz)))
         self.paced_samples = max(PACED_SAMPLES, round(timing.queue_age * setup.sample_rate_Hz))
         self.control = SpindleControl(
-            devices.spindle, timing, self._look, self.pace, drive.watchdog_timeout_s
+            devices.spindle, timing, self._standstill_evidence, self.pace, drive.watchdog_timeout_s
         )
         self.counts_per_turn = drive.counts_per_crank_revolution
         self.received_s = time.monotonic()
@@ -84,7 +84,7 @@ class ConnectedRig:
         )
 
     def _open_slow(self, source: GuardedSlow, request: SlowRequest) -> SlowDevice:
-        """Return a slow source with its thread, whose failure raises a warning only."""
+        """Return a slow source with its thread; a failure of it only raises a warning."""
 
         def opened(identity: Identity, readback: Mapping[str, str | float | int]) -> None:
             self.devices.identities[source.name] = identity
@@ -95,15 +95,15 @@ class ConnectedRig:
 
         return SlowDevice(source, request, opened, died, self._core.timing.silence)
 
-    # --- what a start waits for ------------------------------------------------------------------
+    # --- readiness -------------------------------------------------------------------------------
 
     def not_yet(self, stale_data_s: float) -> str:
-        """Return what a start waits for, as a phrase; empty for nothing."""
+        """Return the condition that prevents a start, as a phrase, or an empty text."""
         silence = self._silence(stale_data_s)
-        cut_off = self.processor.saturated.intersection(self._core.table.names_of(LOAD_CELL))
-        if silence or not cut_off:
+        at_range_end = self.processor.saturated.intersection(self._core.table.names_of(LOAD_CELL))
+        if silence or not at_range_end:
             return silence
-        return say("{} at the end of the range", joined(say(" and "), sorted(cut_off)))
+        return say("{} at the end of the range", joined(say(" and "), sorted(at_range_end)))
 
     def _silence(self, stale_data_s: float) -> str:
         age = self.age_s(self.received_s)
@@ -114,15 +114,15 @@ class ConnectedRig:
         return ""
 
     def wait_out_silence(self, stale_data_s: float) -> None:
-        """Wait while samples or the drive are silent, unless for more than SHORT_SILENCE_S."""
+        """Wait while samples or replies of the drive are missing, up to SHORT_SILENCE_S."""
         while self._silence(stale_data_s):
-            heard_s = min(self.received_s, self.control.answered_s)
-            if time.monotonic() - heard_s > SHORT_SILENCE_S:
+            last_reply_s = min(self.received_s, self.control.answered_s)
+            if time.monotonic() - last_reply_s > SHORT_SILENCE_S:
                 return
             self.closing.wait(0.01)
 
     def ramp_deadline_s(self, rpm: float, rpm_per_s: float) -> float:
-        """Return the host time by which a speed commanded now must be reached or left."""
+        """Return the host time by which a change to a speed or from it must end."""
         ramp_s = 2.0 * self.slow() * rpm / rpm_per_s
         return time.monotonic() + self._core.timing.start_margin + ramp_s
 
@@ -130,29 +130,29 @@ class ConnectedRig:
 
     @property
     def backed_up(self) -> bool:
-        """Return whether the reader leaves samples on the wire until those before are processed.
+        """Return whether the reader leaves samples on the wire until earlier ones are processed.
 
-        Only simulated samples wait so: their time waits on the wire with them, which makes
-        ``--speed max`` as fast as the engine. A real device would lose them.
+        For simulated samples only, whose time stops with them: this makes ``--speed max`` as fast
+        as the engine. A real device would lose them.
         """
         simulated = self._core.rig.record.simulated_samples
         return simulated and self.queue.samples >= self.paced_samples
 
     def queue_age_s(self) -> float:
-        """Return the age of the oldest samples that are not processed yet, 0 when none wait."""
+        """Return the age of the oldest unprocessed samples, 0 without any."""
         waiting = (self.in_hand_ns, self.queue.oldest_ns)
         oldest = min((age for age in waiting if age is not None), default=None)
         return 0.0 if oldest is None else max(0.0, self.age_s(oldest * 1e-9))
 
     def data_age_s(self) -> float:
-        """Return the seconds since the last samples came."""
+        """Return the time since the last samples were received, s."""
         return time.monotonic() - self.received_s
 
     def age_s(self, since_s: float) -> float:
-        """Return the age of a host time, to judge a silence by.
+        """Return the age of a host time for time-outs.
 
         A simulated rig runs on this computer: time in which the computer did not run the engine is
-        not counted. A rig with a real device is judged by the clock.
+        excluded. With a real device the clock is used.
         """
         now = time.monotonic()
         late = self.lateness.since(since_s, now) if self._simulated else 0.0
@@ -164,7 +164,7 @@ class ConnectedRig:
     def swinging(self) -> bool:
         """Return whether the crank may turn freely: its power is off, or was commanded off.
 
-        The spring can swing it faster than it ran. That follows from the stop, and is no alarm.
+        The spring can drive it faster than before. That is a consequence of the stop, not an alarm.
         """
         test, control = self._core.test, self.control
         if control.power_cut:
@@ -175,7 +175,7 @@ class ConnectedRig:
 
     @property
     def coasting(self) -> bool:
-        """Return whether the crank turns without power in a stop: the spring drives it."""
+        """Return whether the crank turns without power during a stop, driven by the spring."""
         return (
             self._core.state is RunState.STOPPING
             and self.control.power_cut
@@ -192,7 +192,7 @@ class ConnectedRig:
             self.closing.wait(0.01)
         return True
 
-    def _look(self, drive_rpm: float | None) -> StandstillEvidence:
+    def _standstill_evidence(self, drive_rpm: float | None) -> StandstillEvidence:
         now = time.monotonic()
         motion = self.processor.motion
         newest = motion.newest()
@@ -203,15 +203,17 @@ class ConnectedRig:
             and not self._core.alarms.is_active("encoder_lost")
         )
         if newest is None or not fresh:
-            seen = StandstillEvidence(now, drive_rpm, None, None, drive_s=self.control.answered_s)
+            evidence = StandstillEvidence(
+                now, drive_rpm, None, None, drive_s=self.control.answered_s
+            )
             status = self.control.status
             if drive_rpm is None or status is None:
-                return seen
-            turned, time_s = (
+                return evidence
+            drive_turns, drive_turns_s = (
                 status.position_count / self.counts_per_turn,
                 status.host_time_ns * 1e-9,
             )
-            return replace(seen, turns=turned, turns_s=time_s)
+            return replace(evidence, turns=drive_turns, turns_s=drive_turns_s)
         rpm = motion.speed_rpm()
         turns, turns_s = motion.turns() or (None, 0.0)
         return StandstillEvidence(
@@ -228,17 +230,17 @@ class ConnectedRig:
         )
 
     def slow(self) -> float:
-        """Return how many times slower than real time the rig runs, 1 for a real one."""
+        """Return the ratio of real time to the rig's time, at least 1; 1 for a real rig."""
         return 1.0 / min(1.0, self.pace())
 
     def pace(self) -> float:
-        """Return the seconds of the rig in a second of this computer, 1 for a real one."""
+        """Return the rig's seconds per second of the host; 1 for a real rig."""
         if not self._core.rig.record.simulated_samples:
             return 1.0
         return max(SLOWEST_PACE, self.processor.motion.pace())
 
 
 def slow_silent(source: SlowSource, age_s: float, error: str) -> Cause:
-    """Return the alarm of a slow device without readings; error: its last one, if any."""
+    """Return the alarm of a slow device without readings; error: its last error, if any."""
     why = f" ({error.rstrip('.')})" if error else ""
     return make_alarm("slow_silent", source.name, port=source.port, age_s=age_s, why=why)

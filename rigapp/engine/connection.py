@@ -3,10 +3,10 @@
 =============  ===================================================================================
 thread         does
 =============  ===================================================================================
-``read NAME``  blocks on one data source and queues its Blocks; never calculates
+``read NAME``  reads one data source and queues its Blocks, without any computation
 ``process``    overload, assemble, calibrate, reduce, limits, store, publish
-``commit``     makes the file safe about once a second, and finishes it
-``drive``      polls the drive and so feeds its watchdog, while all others are well; stops it
+``commit``     commits the file about once a second, and finishes it
+``drive``      polls the drive, which feeds its watchdog, while all others are well; stops it
 ``supervise``  monitors all of them, the age of the data and the duration of a stop
 =============  ===================================================================================
 """
@@ -37,57 +37,57 @@ from rigapp_drivers.api import (
 )
 
 PROMPT_S = 0.02
-"""Longest pause of a loop that has something to end: 7 deg of a crank at 60 rpm."""
+"""Longest pause of a loop that ends something: 7 deg of a crank at 60 rpm."""
 
 WAITS_IN_VAIN = 3
-"""Reads in a row that wait for their whole time-out and get nothing: a computer that lets the
-reader wait lets it read, so what is missing then is not on the wire."""
+"""Consecutive reads with a time-out after which samples are missing, and not just late on the wire:
+the reader did run."""
 
 ASLEEP_S = 0.5
-"""The drive's thread runs more often; after a longer pause the whole program may have slept."""
+"""Longest pause of the drive's thread that does not indicate a suspended program."""
 
-AGAIN_AFTER_S = 60.0  # the same remark at most once a minute
-KEPT = 64  # different remarks; more of them repeat
+AGAIN_AFTER_S = 60.0  # the same warning at most once a minute
+KEPT = 64  # different warnings that are not repeated
 
 
 class DeviceLog(logging.Handler):
-    """Pass warnings of the package ``drivers`` on, the same words once a minute at most.
+    """Forward warnings of the package ``drivers``, equal texts at most once a minute.
 
-    tell: takes the driver's name and the sentence.
+    forward: called with the driver's name and the text.
     """
 
-    def __init__(self, tell: Callable[[str, str], object]) -> None:
+    def __init__(self, forward: Callable[[str, str], object]) -> None:
         super().__init__(logging.WARNING)
-        self._tell = tell
-        self._told: dict[str, float] = {}
+        self._forward = forward
+        self._last_sent: dict[str, float] = {}
 
     def attach(self) -> None:
-        """Begin to listen."""
+        """Add the handler to the drivers' logger."""
         logging.getLogger("rigapp_drivers").addHandler(self)
 
     def detach(self) -> None:
-        """Listen no more."""
+        """Remove the handler from the drivers' logger."""
         logging.getLogger("rigapp_drivers").removeHandler(self)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Pass a warning on."""
+        """Forward a warning."""
         try:
             text = record.getMessage()
             now = time.monotonic()
-            if now - self._told.get(text, -AGAIN_AFTER_S) < AGAIN_AFTER_S:
+            if now - self._last_sent.get(text, -AGAIN_AFTER_S) < AGAIN_AFTER_S:
                 return
-            if len(self._told) >= KEPT:
-                self._told.clear()
-            self._told[text] = now
-            self._tell(record.name, text)
+            if len(self._last_sent) >= KEPT:
+                self._last_sent.clear()
+            self._last_sent[text] = now
+            self._forward(record.name, text)
         except Exception:
             self.handleError(record)
 
 
 class Connection:
-    """Run the threads of a connected rig.
+    """Threads of a connected rig.
 
-    supervise: makes the check of this connection that the supervising thread repeats.
+    supervise: returns the check of this connection that the supervising thread repeats.
     """
 
     def __init__(
@@ -114,7 +114,7 @@ class Connection:
         self.drive_watch = DriveWatch(core, rig, devices.drive_request.watchdog_timeout_s)
         self.watches = Watches(core, rig)
         self._unsupervised = False
-        self._looked_s = self._awake_since = time.monotonic()
+        self._checked_s = self._awake_since = time.monotonic()
         silence, died, age = timing.silence, self._died, rig.age_s
         self.reader = Worker(f"read {devices.source.name}", self._read, died, silence, age)
         self.process = Worker("process", self._process, died, silence, age)
@@ -124,7 +124,7 @@ class Connection:
         self.supervise = Worker("supervise", supervise(self), died, silence)
         self.workers = (self.reader, self.process, self.commit, self.drive, self.supervise)
 
-    # --- life ------------------------------------------------------------------------------------
+    # --- start and close -------------------------------------------------------------------------
 
     def start(self) -> None:
         """Start the stream and the threads; raise DeviceError."""
@@ -134,14 +134,14 @@ class Connection:
         self._log.attach()
         self.source.start()
         self.rig.received_s = time.monotonic()
-        for worker in (*self.workers, *self._askers):
+        for worker in (*self.workers, *self._slow_workers):
             worker.start()
         deadline = time.monotonic() + FIRST_S
         for slow in self.rig.slow_channels.devices.values():
             slow.await_first(max(0.0, deadline - time.monotonic()))
 
     @property
-    def _askers(self) -> tuple[Worker, ...]:
+    def _slow_workers(self) -> tuple[Worker, ...]:
         return tuple(device.worker for device in self.rig.slow_channels.devices.values())
 
     @property
@@ -150,16 +150,16 @@ class Connection:
         return not any(worker.ended for worker in self.workers)
 
     def close(self, timeout_s: float = 5.0) -> tuple[str, ...]:
-        """Stop the motor, end the threads, release the devices; return threads that hang."""
+        """Stop the motor, end the threads, release the devices; return names of hung threads."""
         self.control.stop_now(off=True)
         self.rig.closing.set()
-        everyone = (*self.workers, *self._askers)
-        for worker in reversed(everyone):
+        all_workers = (*self.workers, *self._slow_workers)
+        for worker in reversed(all_workers):
             worker.halt()
         deadline = time.monotonic() + timeout_s
         hanging = [
             worker.name
-            for worker in everyone
+            for worker in all_workers
             if not worker.join(max(0.0, deadline - time.monotonic()))
         ]
         try:
@@ -242,8 +242,8 @@ class Connection:
         due = not control.quiet and now - self._drive_polled_s >= (
             min(PROMPT_S, timing.poll) if busy else timing.poll
         )
-        is_stationary = core.state not in TURNING
-        if due and (is_stationary or core.state is RunState.STOPPING or self.all_well()):
+        stationary = core.state not in TURNING
+        if due and (stationary or core.state is RunState.STOPPING or self.all_well()):
             self._drive_polled_s = now
             self.drive_watch.ask()
             self.rig.slow_channels.take_drive()
@@ -253,14 +253,14 @@ class Connection:
         self.drive.pause(timing.aim if busy else min(PROMPT_S, timing.poll))
 
     def _watch_the_supervisor(self) -> None:
-        """End the test when the supervising thread hangs, which no other thread would report.
+        """End the test if the supervising thread hangs, which no other thread reports.
 
-        Time in which this thread did not run either is not counted.
+        Time in which this thread did not run either is excluded.
         """
         supervise, now = self.supervise, time.monotonic()
-        if now - self._looked_s > ASLEEP_S:
+        if now - self._checked_s > ASLEEP_S:
             self._awake_since = now
-        self._looked_s = now
+        self._checked_s = now
         silent_s = min(supervise.silent_for(), now - self._awake_since)
         hangs = silent_s > supervise.silence_s
         if not hangs or supervise.halting or supervise.error is not None:
@@ -270,16 +270,16 @@ class Connection:
             self.core.act_on(silent_thread(supervise))
 
     def all_well(self) -> bool:
-        """Return whether the drive's watchdog may be fed: threads well and data fresh."""
+        """Return whether the drive's watchdog may be fed: all threads run and data are fresh."""
         others = (self.reader, self.process, self.commit, self.supervise)
         age = self.rig.age_s(self.rig.received_s)
         return all(thread.well for thread in others) and age < self.core.limits.stale_data_s
 
     def silence_s(self) -> float:
-        """Return for how long samples are outstanding, in the time in which stale data are judged.
+        """Return for how long samples are missing, in the time base of stale data.
 
-        That of the rig: a simulated one may be faster than the host's clock, and the drive's count
-        gives its time, once the reader has waited in vain often enough that none can be on the way.
+        For a simulated rig, which may be faster than the host's clock, the drive's count gives the
+        time, after WAITS_IN_VAIN reads without samples.
         """
         age_s = self.rig.age_s(self.rig.received_s)
         if not self.core.rig.record.simulated_samples or self._waits_in_vain < WAITS_IN_VAIN:
@@ -289,7 +289,7 @@ class Connection:
     # --- failure ---------------------------------------------------------------------------------
 
     def _died(self, worker: Worker, error: BaseException) -> None:
-        """Bring the rig into a safe state after a thread has failed."""
+        """Bring the rig to a safe state after a failure of a thread."""
         self.core.act_on(
             make_alarm("thread", worker.name, sentence=say("failed ‹{}›", repr(error)))
         )
@@ -298,11 +298,11 @@ class Connection:
 
 
 def lost_device(error: DeviceError) -> Cause:
-    """Return the alarm of a device that is gone."""
+    """Return the alarm of a lost device."""
     return make_alarm("device_lost", error.device, port=error.port, sentence=error.sentence)
 
 
 def silent_thread(worker: Worker) -> Cause:
-    """Return the alarm of a thread that hangs."""
+    """Return the alarm of a hung thread."""
     sentence = say("sent no heartbeat for {:.1f} s", worker.silent_for())
     return make_alarm("thread", worker.name, sentence=sentence)

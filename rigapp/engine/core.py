@@ -1,6 +1,6 @@
-"""What the engine's threads share: state, the test under way, alarms, and the way to end a test.
+"""State shared by the engine's threads: run state, active test, alarms; and the end of a test.
 
-Lock order: the core's lock is never held while a device, a file or a viewer is called.
+Lock order: no device, file or viewer is called while the core's lock is held.
 """
 
 from __future__ import annotations
@@ -47,31 +47,31 @@ from rigapp.texts import joined, say
 log = logging.getLogger(__name__)
 
 SLOW_DISK_S = 2.0
-"""A commit that takes longer is reported; it takes some milliseconds on a sound disk."""
+"""Duration from which a commit is reported; it takes some milliseconds on a healthy disk."""
 
 CALM_COMMITS = 20
-"""Quick commits in a row after which a disk counts as sound again."""
+"""Consecutive fast commits after which the alarm of a slow disk is cleared."""
 
 BETWEEN_STEPS = ACTIVE - {RunState.STOPPING}
-"""States through which a change of step leads."""
+"""States of a change of step."""
 
 TRIGGERS = frozenset({"limit", "note"})
-"""Kinds of events around which whole cycles are kept, beside every alarm that rises."""
+"""Kinds of events, besides raised alarms, around which complete cycles are stored."""
 
 NO_FILE = say("No revolution was made, so no file is left.")
 """Reported at the end of a test that failed at its start."""
 
 TOGETHER_NS = 10_000_000
-"""Two clocks read within so long are read together: what is tied to UTC is good to that."""
+"""Longest time between reading two clocks at once: the accuracy of the relation to UTC."""
 
 UNTRUE = Flag.PAUSED | Flag.PARTIAL | Flag.TIME_JUMP
 """Revolutions with one of these flags are not passed to the prediction."""
 
 
 class Core:
-    """The state that the engine's threads share; any thread may call it.
+    """State shared by the engine's threads; thread-safe.
 
-    on_measured: called with every sound revolution; must return at once. awake: see ``Engine``.
+    on_measured: called with each valid revolution; must not block. awake: see ``Engine``.
     """
 
     def __init__(
@@ -108,18 +108,18 @@ class Core:
 
     @property
     def reason(self) -> str:
-        """Return the sentence that goes with the state."""
+        """Return the reason of the present state, as text."""
         return self._reason
 
     def fire(self, trigger: Trigger, reason: str = "") -> RunState:
-        """Carry out a transition and publish it; raise Refused."""
+        """Perform a transition and publish it; raise Refused."""
         with self._changed:
             state = self._set(transition(self._state, trigger), reason)
         self._announce(state, reason)
         return state
 
     def fire_if(self, trigger: Trigger, reason: str = "", only: Iterable[RunState] = ()) -> bool:
-        """Carry out a transition when it is possible (and the state is one of ``only``)."""
+        """Perform a transition if it is possible (and the state is one of ``only``)."""
         with self._changed:
             if not allowed(self._state, trigger) or (only and self._state not in set(only)):
                 return False
@@ -128,11 +128,11 @@ class Core:
         return True
 
     def wait(self, until: Iterable[RunState], timeout_s: float) -> RunState:
-        """Wait for one of some states; raise TimeoutError that names what it waited for."""
-        wanted = frozenset(until)
+        """Wait for one of the states; raise TimeoutError, which names them."""
+        states = frozenset(until)
         with self._changed:
-            if not self._changed.wait_for(lambda: self._state in wanted, timeout_s):
-                names = joined(say(" or "), sorted(wanted))
+            if not self._changed.wait_for(lambda: self._state in states, timeout_s):
+                names = joined(say(" or "), sorted(states))
                 raise TimeoutError(
                     say(
                         "the engine is still {} after {:g} s of waiting for {}",
@@ -168,7 +168,7 @@ class Core:
 
     @property
     def limits(self) -> LimitsSection:
-        """Return the limits in force: those of the test, or the defaults without one."""
+        """Return the present limits: those of the test, or the defaults without one."""
         return self.test.limits if self.test is not None else self._no_limits
 
     def event(
@@ -183,10 +183,10 @@ class Core:
         level: str = "information",
         data: msgspec.Struct | None = None,
     ) -> bool:
-        """Write to the log of the test under way, and to that of the program.
+        """Write to the log of the active test and to that of the program.
 
-        key: the subject of the line. level: its severity. data: the same for programs. False
-        when the log has no room for it.
+        key: subject of the line. level: its severity. data: its machine-readable content. Returns
+        False if the log is full.
         """
         details = tree_of(data) if data is not None else {}
         return self._write(
@@ -198,18 +198,18 @@ class Core:
 
     def _write(self, event: Event) -> bool:
         _log(event)
-        test, kept = self.test, True
+        test, logged = self.test, True
         if test is not None:
             try:
-                kept = test.recorder.event(event)
+                logged = test.recorder.event(event)
                 if event.kind in TRIGGERS:
                     test.recorder.trigger(critical=False)
             except Exception as error:
                 self.storage_failed(error)
-        return kept
+        return logged
 
     def note_limit(self, cause: Cause) -> None:
-        """Write a limit that is passed to the log, and do nothing else."""
+        """Log an exceeded limit, without any other action."""
         level = cause.kind.severity.value
         self.event("limit", "limits", cause.sentence, key=cause.key, level=level)
 
@@ -225,11 +225,11 @@ class Core:
         self._write(alarm_line(time.time(), self.revolution, who, alarm, change))
 
     def warn(self, cause: Cause) -> None:
-        """Raise an alarm that does nothing else."""
+        """Raise an alarm without any other action."""
         self.alarms.raise_alarm(cause, self.revolution)
 
     def act_on(self, cause: Cause, off: bool = False) -> None:
-        """Raise an alarm and take the action of its kind; off: without power in any case."""
+        """Raise an alarm and perform the action of its kind; off: always with power off."""
         kind = cause.kind
         if kind.stop is None:
             self.warn(cause)
@@ -239,9 +239,10 @@ class Core:
     # --- ending a test ---------------------------------------------------------------------------
 
     def trip(self, ending: Ending, cause: Cause | None = None) -> bool:
-        """End the test under way: the drive is commanded before this returns. True for the first.
+        """End the active test; return True for its first end.
 
-        Without a test, a fault leads to the state fault and the power is taken off.
+        The drive is commanded before this returns. Without a test, a fault leads to the state fault
+        and power off.
         """
         first = command = under_way = False
         approach: RestApproach | None = None
@@ -289,7 +290,7 @@ class Core:
             self.test.reached_standstill = True
 
     def stop_without_effect(self, drive: str) -> None:
-        """Warn that the crank turns on although the drive has confirmed the power-off."""
+        """Warn that the crank still turns although the drive has confirmed the power-off."""
         sentence = say(
             "{} confirmed the power-off, but the crank still turns. Its watchdog will stop it.",
             drive,
@@ -299,14 +300,14 @@ class Core:
             self.test.fault_sentence = self.test.fault_sentence or sentence
 
     def stop_unseen(self, drive: str) -> None:
-        """Warn that only the drive reports that the spindle is stationary."""
+        """Warn that the standstill of the spindle is reported by the drive only."""
         cause = make_alarm("stop_unseen", drive=drive)
         self.warn(cause)
         if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or cause.sentence
 
     def will_not_stop(self, sentence: str) -> None:
-        """End a stop whose spindle could not be shown to be stationary."""
+        """End a stop without a confirmed standstill of the spindle."""
         self.warn(make_alarm("will_not_stop", sentence=sentence))
         if self.test is not None and not self.test.reached_standstill:
             self.test.fault_sentence = self.test.fault_sentence or sentence
@@ -316,7 +317,7 @@ class Core:
 
     @contextmanager
     def _filing(self) -> Iterator[ActiveTest | None]:
-        """Yield the test whose file is open, None without one; a failure inside ends the test."""
+        """Yield the test with an open file, or None; a failure inside the block ends the test."""
         test = self.test
         if test is None or test.finished:
             yield None
@@ -328,7 +329,7 @@ class Core:
                 self.storage_failed(error)
 
     def record(self, row: Row) -> None:
-        """Store an evaluated revolution of the running test, then publish it."""
+        """Store an evaluated revolution of the active test, then publish it."""
         stored = None
         with self._filing() as test:
             if test is not None:
@@ -346,7 +347,7 @@ class Core:
             self._on_measured = None
 
     def _store(self, test: ActiveTest, row: Row) -> None:
-        """Write a row, and the interruption of the data before it where there is one."""
+        """Write a row, and an interruption of the data before it, if any."""
         revolution = row.measured.revolution
         test.recorder.row(row.number, row.values, row.measured)
         test.revolution_at = time.monotonic()
@@ -368,23 +369,23 @@ class Core:
         test.recorder.gap(event)
 
     def place(self) -> None:
-        """Put what waits in memory into the file, without making it safe."""
+        """Write queued data to the file, without a commit."""
         with self._filing() as test:
             if test is not None:
                 test.recorder.place()
 
     def commit(self) -> None:
-        """Make the rows so far safe and announce them."""
+        """Commit the rows so far and publish their number."""
         with self._filing() as test:
             if test is None:
                 return
             self.committing_since = time.monotonic()
             try:
-                safe = test.recorder.commit()
+                committed = test.recorder.commit()
             finally:
-                took, self.committing_since = time.monotonic() - self.committing_since, 0.0
-            self._look_at_disk(took)
-            self._tell_committed(test, safe)
+                duration_s, self.committing_since = time.monotonic() - self.committing_since, 0.0
+            self._check_disk(duration_s)
+            self._publish_committed(test, committed)
             refused = test.recorder.cycles_refused
             if refused != test.cycles_refused:
                 test.cycles_refused = refused
@@ -401,13 +402,13 @@ class Core:
                 )
             test.triggers_refused = triggers
 
-    def _tell_committed(self, test: ActiveTest, rows: int) -> None:
+    def _publish_committed(self, test: ActiveTest, rows: int) -> None:
         if rows != test.committed:
             test.committed = rows
             self.publisher.notice(Committed(rows))
 
     def restore_file(self) -> None:
-        """Restore the name of the test's file when it was deleted, moved or replaced."""
+        """Restore the path of the test's file if it was deleted, moved or replaced."""
         with self._filing() as test:
             if test is None:
                 return
@@ -425,14 +426,14 @@ class Core:
         self.warn(make_alarm("file_moved", sentence=sentence))
 
     def disk_slow(self, seconds: float) -> None:
-        """Warn of a disk that takes long over a commit."""
+        """Warn of a slow commit."""
         self._quick_commits = 0
         self.warn(make_alarm("disk_slow", seconds=seconds))
 
-    def _look_at_disk(self, took: float) -> None:
-        if took > SLOW_DISK_S:
-            self.disk_slow(took)
-            self.event("disk", "engine", say("the disk took {:.1f} s over a commit", took))
+    def _check_disk(self, duration_s: float) -> None:
+        if duration_s > SLOW_DISK_S:
+            self.disk_slow(duration_s)
+            self.event("disk", "engine", say("the disk took {:.1f} s over a commit", duration_s))
             return
         self._quick_commits += 1
         if self._quick_commits == CALM_COMMITS:
@@ -440,11 +441,11 @@ class Core:
 
     @property
     def finish_due(self) -> bool:
-        """Return whether a test waits for its file to be finished."""
+        """Return whether the file of a test can be finished."""
         return self.test is not None and self.test.reached_standstill and not self.test.finished
 
     def finish(self) -> None:
-        """Finish the file of a test whose spindle is stationary, and reach stopped or fault."""
+        """Finish the file of a test with a stationary spindle; set the state stopped or fault."""
         test = self.test
         if test is None or not test.reached_standstill:
             return
@@ -460,7 +461,7 @@ class Core:
             test.path = test.recorder.path
             fault, rows = ending.fault or bool(then), test.recorder.committed
             test.finished = True
-            self._tell_committed(test, rows)
+            self._publish_committed(test, rows)
             outcome = Finished(ending.code, ending.sentence, ending.status, rows, str(test.path))
             test.outcome = outcome
         self.settle()
@@ -470,13 +471,13 @@ class Core:
         self.publisher.notice(outcome)
 
     def _close_file(self, test: ActiveTest, ending: Ending) -> Ending:
-        """Finish a file and return how the test has ended: by the file when it cannot be.
+        """Finish a file and return the end of the test, which is of the file if that fails.
 
-        A fault before the first whole revolution leaves no file behind that its own start made.
+        A file created by this start is deleted after a fault before the first complete revolution.
         """
         recorder, keep_empty = test.recorder, not (test.fresh and ending.fault)
         try:
-            kept = recorder.finish(
+            file_exists = recorder.finish(
                 ending.status, ending.code.value, ending.sentence, keep_empty=keep_empty
             )
         except Exception as error:
@@ -486,17 +487,17 @@ class Core:
             sentence = say("{} The file could not be finished ‹{}›.", ending.sentence, error)
             self.warn(make_alarm("storage", sentence=sentence))
             return Ending(FinishReason.STORAGE, sentence)
-        if kept:
+        if file_exists:
             return ending
         return replace(ending, sentence=say("{} {}", ending.sentence, NO_FILE))
 
     def sleep_again(self) -> None:
-        """Let the computer sleep, as before the test."""
+        """Allow the computer to sleep again."""
         if self.awake is not None:
             self.awake.end()
 
     def settle(self) -> None:
-        """Clear alarms whose condition is over because the test is."""
+        """Clear alarms whose condition ends with the test."""
         self.alarms.clear_ended_by(Ends.TEST)
 
     # --- time ------------------------------------------------------------------------------------
@@ -509,12 +510,12 @@ class Core:
         return seconds + (host_time_ns - ns) * 1e-9 - later_s
 
     def clock_jump(self) -> float:
-        """Return the seconds by which UTC has jumped since it was tied to the monotonic clock."""
+        """Return the jump of UTC since it was related to the monotonic clock, s."""
         ns, seconds = _both_clocks()
         return seconds - self.utc(ns, 0.0)
 
     def anchor_time(self) -> None:
-        """Tie the monotonic clock to UTC again."""
+        """Relate the monotonic clock to UTC again."""
         self.anchor = _both_clocks()
 
     def require(self, condition: bool, sentence: str) -> None:
@@ -524,9 +525,9 @@ class Core:
 
 
 def _both_clocks() -> tuple[int, float]:
-    """Return the monotonic clock in ns and UTC in s, read together.
+    """Return the monotonic clock in ns and UTC in s, read at once.
 
-    A program that is put to sleep between the two would take that for a clock that was set.
+    Retried if the program was suspended in between, which would look like a change of the clock.
     """
     while True:
         ns, seconds = time.monotonic_ns(), time.time()
@@ -535,7 +536,7 @@ def _both_clocks() -> tuple[int, float]:
 
 
 def _log(event: Event) -> None:
-    """Repeat a line of the test's log in the program's, but for what drivers have logged there."""
+    """Copy a line of the test's log to the program's, except for those logged by drivers."""
     if event.kind != "device":
         log.info(
             "revolution %d, %s by %s: %s", event.revolution, event.kind, event.source, event.text

@@ -1,4 +1,4 @@
-"""Turn the crank as a test requires: steps, pauses, rests, stops."""
+"""Motion of the crank during a test: steps, pauses, rests, stops."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rigapp_drivers.api import DeviceError
 
 
 class CrankMotion:
-    """Turn the crank of a connected rig for the test under way."""
+    """Motion of the crank of a connected rig for the active test."""
 
     def __init__(self, core: Core, rig: ConnectedRig) -> None:
         self._core = core
@@ -28,13 +28,13 @@ class CrankMotion:
         self._control = rig.control
 
     def begin_test(self) -> None:
-        """Let the revolutions from the next index on belong to the test."""
+        """Assign the revolutions from the next index on to the test."""
         self._rig.processor.begin_test()
 
     def pause(self, reason: str) -> bool:
-        """Begin to pause at the safe angle, when the state allows it; return whether it does.
+        """Start a pause at the safe angle if the state allows it; return whether it does.
 
-        A rest between two steps becomes a pause: the test continues at the operator's command.
+        A rest between two steps becomes a pause: the test resumes on the operator's command.
         """
         core, test = self._core, self._core.test
         if test is None:
@@ -49,9 +49,9 @@ class CrankMotion:
         return True
 
     def start_step(self, stage: StepPlace) -> None:
-        """Begin the next step of the test: rest before it, or go to its speed.
+        """Start the next step of the test: the rest before it, or a ramp to its speed.
 
-        In an operator's pause the speed applies from the resume on, and the pause is the rest.
+        In an operator's pause the speed applies after the resume, and the pause is the rest.
         """
         core, test = self._core, self._core.test
         if test is None:
@@ -67,7 +67,7 @@ class CrankMotion:
                 core.event("step", "engine", text, level="warning")
             core.event("step", "engine", words, before=ended.words, after=stage.words)
         if ended.rest_s and test.resting is not None:
-            test.resting.duration_s += ended.rest_s  # it was over while the crank slowed down
+            test.resting.duration_s += ended.rest_s  # the step ended while the crank slowed down
             test.resting.step = ended.step
         elif ended.rest_s and self.pause(
             say("{} is done: a rest of {:g} s", ended.words, ended.rest_s)
@@ -80,9 +80,9 @@ class CrankMotion:
                 self._control.change(Ramp(test.target_rpm, test.ramp_rpm_per_s))
 
     def resume(self, test: ActiveTest) -> None:
-        """Go on after a pause with the speed of the step; raise Refused, DeviceError.
+        """Resume after a pause with the speed of the step; raise Refused, DeviceError.
 
-        The drive's refusal ends the test.
+        A DeviceError of the drive ends the test.
         """
         transition(self._core.state, Trigger.RESUME)
         test.resting = None
@@ -93,7 +93,7 @@ class CrankMotion:
 
     @contextmanager
     def turning(self) -> Iterator[None]:
-        """End the test when the drive refuses to turn, and raise its DeviceError."""
+        """End the test on a DeviceError of the drive inside the block, and raise it."""
         try:
             yield
         except DeviceError as error:
@@ -101,7 +101,7 @@ class CrankMotion:
             raise
 
     def follow(self, do: DriveStep) -> None:
-        """Act on the result of a step of a pause or a stop."""
+        """Act on the result of one step of a pause or a stop sequence."""
         core, control = self._core, self._control
         stop = control.stopping
         if stop is None:
@@ -134,7 +134,7 @@ class CrankMotion:
             )
 
     def _turns_by_itself(self) -> None:
-        """Report a crank that turns without a command; one without power is turned by hand."""
+        """Raise an alarm if the crank turns without a command; without power it turns by hand."""
         status, rpm = self._control.status, self._rig.processor.motion.speed_rpm()
         if status is not None and status.enabled:
             drive = self._rig.spindle.name

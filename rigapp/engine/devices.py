@@ -1,4 +1,4 @@
-"""Make, open and configure the devices of a rig file."""
+"""Create, open and configure the devices of a rig file."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, NoReturn, cast
 from rigapp.config.channels import channel_table, input_keys
 from rigapp.config.errors import UnusableInput
 from rigapp.config.rig import RigFile
-from rigapp.engine.identifying import identity_record, stranger, together
+from rigapp.engine.identifying import combined_error, identity_record, stranger
 from rigapp.engine.wirerecording import WireRecording
 from rigapp.texts import joined, say, sentence_of_error
 from rigapp_drivers.api import (
@@ -48,15 +48,15 @@ from rigapp_drivers.wire.ports import beside
 LoadDriver = Callable[[str], DriverInfo]
 
 KINDS = {"mV/V": "bridge", "V": "voltage"}
-"""Unit of an input's signal -> quantity that the data source measures there."""
+"""Unit of an input's signal -> quantity measured by the data source."""
 
 
 @dataclass(slots=True)
 class Devices:
-    """The devices of a rig: one source of samples, one spindle, slow sources with their requests.
+    """Devices of a rig: one data source, one spindle, slow sources with their requests.
 
-    A slow source is opened and read by a thread of its own (``samples.slow``). explain: adds to an
-    error of opening which other device answers.
+    Each slow source is opened and read by its own thread (``samples.slow``). explain: replaces an
+    error of opening by that of another device that answers on the port.
     """
 
     source: GuardedSource
@@ -70,12 +70,12 @@ class Devices:
     explain: Callable[[DeviceError, Guarded], DeviceError] = lambda error, device: error
 
     def open(self) -> StreamSetup:
-        """Open and configure source and spindle; raise DeviceError. On failure both are closed."""
+        """Open and configure source and spindle; raise DeviceError after closing both."""
         try:
             self._identify()
             setup = self.source.configure(self.data_request)
             self._note(self.source, setup.readback)
-            # Last: from here on the drive's watchdog runs, and many inputs take long to set up.
+            # Last, as it starts the drive's watchdog, and many inputs take long to set up.
             self._note(self.spindle, self.spindle.configure(self.drive_request))
         except BaseException:
             self.close()
@@ -83,7 +83,7 @@ class Devices:
         return setup
 
     def _identify(self) -> None:
-        """Open source and spindle; the error names all that fail, slow sources as well."""
+        """Open source and spindle; the error lists all devices that fail, also slow sources."""
         errors = []
         for device in (self.spindle, self.source):
             try:
@@ -91,10 +91,10 @@ class Devices:
             except DeviceError as error:
                 errors.append(self.explain(error, device))
         if errors:
-            raise together([*errors, *self._silent_slow()])
+            raise combined_error([*errors, *self._silent_slow()])
 
     def _silent_slow(self) -> Iterator[DeviceError]:
-        """Yield why slow sources do not open; each is opened and released again."""
+        """Yield the errors of slow sources; each is opened and closed again."""
         for device, _ in self.slow:
             try:
                 device.open()
@@ -107,14 +107,14 @@ class Devices:
         self.readback[device.name] = {**identity_record(self.identities[device.name]), **readback}
 
     def close(self) -> None:
-        """Stop and release all of them; the drive first, since closing it stops the motor."""
+        """Stop and close all devices; the drive first, as closing it stops the motor."""
         self.spindle.close()
         self.source.close()
 
 
 @dataclass(frozen=True, slots=True)
 class DevicePlan:
-    """The requests to the devices of a rig file: names, drivers, settings, requests."""
+    """Names, drivers and requests of the devices of a rig file."""
 
     source: str
     source_driver: DriverInfo
@@ -128,9 +128,9 @@ class DevicePlan:
 def plan_devices(
     rig: RigFile, where: str = say("rig file"), load: LoadDriver = load_driver
 ) -> DevicePlan:
-    """Return the requests to the devices; raise UnusableInput where one cannot be fulfilled.
+    """Return the requests to the devices; raise UnusableInput if one cannot be fulfilled.
 
-    Nothing is opened. where: the file, for the sentence.
+    Opens nothing. where: the file, for error messages.
     """
     sources = {key: getattr(rig, key).device for key in ("encoder", "load_cell", "probes")}
     if len(set(sources.values())) != 1:
@@ -149,7 +149,7 @@ def plan_devices(
         )
     drive_info, drive_settings = _driver(rig, drive, DriverKind.SPINDLE, where, load)
     data = DataRequest(float(rate), _inputs(rig), settings)
-    wanted = DriveRequest(
+    drive_request = DriveRequest(
         counts_per_revolution=rig.spindle.encoder_counts_per_revolution,
         direction=rig.spindle.direction,
         maximum_speed_rev_per_s=rig.spindle.maximum_speed_rpm / 60.0,
@@ -158,30 +158,30 @@ def plan_devices(
         settings=drive_settings,
     )
     _check_inputs(rig, info, data, where)
-    wrong = _objection(drive_info, wanted)
-    if wrong:
-        raise UnusableInput("{}: [spindle] on devices.{}: {}", where, drive, wrong)
+    objection = _objection(drive_info, drive_request)
+    if objection:
+        raise UnusableInput("{}: [spindle] on devices.{}: {}", where, drive, objection)
     _check_drive_quantities(rig, drive_info, drive_settings, where)
     slow = dict(_slow_requests(rig, where, load))
-    return DevicePlan(name, info, data, drive, drive_info, wanted, slow)
+    return DevicePlan(name, info, data, drive, drive_info, drive_request, slow)
 
 
 def _check_drive_quantities(
     rig: RigFile, info: DriverInfo, settings: Mapping[str, Any], where: str
 ) -> None:
-    """Refuse a slow channel of a quantity that the drive does not measure."""
+    """Raise UnusableInput for a slow channel of a quantity that the drive does not measure."""
     for channel in channel_table(rig).slow:
         if channel.device != rig.spindle.device:
             continue
         needed = info.needed.get(channel.input, "")
         if channel.input not in info.quantities:
-            wrong = say(
+            objection = say(
                 "a {} reports {}",
                 info.title,
                 joined(", ", info.quantities) or say("none of its own"),
             )
         elif needed and not settings[needed]:
-            wrong = say(
+            objection = say(
                 "give devices.{}.settings.{}, without which none is reported",
                 channel.device,
                 needed,
@@ -189,28 +189,35 @@ def _check_drive_quantities(
         else:
             continue
         source = say("channels.{}.source = '{}.{}'", channel.name, channel.device, channel.input)
-        raise UnusableInput("{}: {}: {}", where, source, wrong)
+        raise UnusableInput("{}: {}: {}", where, source, objection)
 
 
 def _slow_requests(
     rig: RigFile, where: str, load: LoadDriver
 ) -> Iterator[tuple[str, tuple[DriverInfo, SlowRequest]]]:
-    """Yield the request to each slow device; raise UnusableInput where it cannot be fulfilled."""
+    """Yield the request to each slow device; raise UnusableInput if it cannot be fulfilled."""
     slow = [channel for channel in channel_table(rig).slow if channel.device != rig.spindle.device]
     for name in dict.fromkeys(channel.device for channel in slow):
-        wanted = [channel for channel in slow if channel.device == name]
+        channels = [channel for channel in slow if channel.device == name]
         try:
             info, settings = _driver(rig, name, DriverKind.SLOW_SOURCE, where, load)
         except UnusableInput as error:
             if not isinstance(error.__cause__, DriverBroken):
                 raise
-            info, settings = _broken(rig.devices[name].driver, error.__cause__), {}
-        request = SlowRequest(tuple(dict.fromkeys(own.input for own in wanted)), settings=settings)
-        for own in wanted:
-            wrong = _objection(info, replace(request, quantities=(own.input,)))
-            if wrong:
+            info, settings = _unloadable_driver(rig.devices[name].driver, error.__cause__), {}
+        request = SlowRequest(
+            tuple(dict.fromkeys(channel.input for channel in channels)), settings=settings
+        )
+        for channel in channels:
+            objection = _objection(info, replace(request, quantities=(channel.input,)))
+            if objection:
                 raise UnusableInput(
-                    "{}: channels.{}.source = '{}.{}': {}", where, own.name, name, own.input, wrong
+                    "{}: channels.{}.source = '{}.{}': {}",
+                    where,
+                    channel.name,
+                    name,
+                    channel.input,
+                    objection,
                 )
         yield name, (info, request)
 
@@ -226,27 +233,27 @@ def _inputs(rig: RigFile) -> dict[str, tuple[str, float]]:
 
 
 def _check_inputs(rig: RigFile, info: DriverInfo, request: DataRequest, where: str) -> None:
-    """Refuse what the data source cannot do, with the key of the input where one is at fault."""
-    wrong = _objection(info, request)
-    if not wrong:
+    """Raise UnusableInput if the data source cannot fulfil a request; names the faulty input."""
+    objection = _objection(info, request)
+    if not objection:
         return
     keys = {name: key for key, name in input_keys(rig).items()}
-    alone = {
+    objections = {
         name: _objection(info, replace(request, inputs={name: kind}))
         for name, kind in request.inputs.items()
     }
-    faulty = [name for name, words in alone.items() if words]
-    if 0 < len(faulty) < len(alone):
+    faulty = [name for name, words in objections.items() if words]
+    if 0 < len(faulty) < len(objections):
         name = faulty[0]
-        raise UnusableInput(f"{where}: {keys[name]} = {name!r}: {alone[name]}")
-    raise UnusableInput("{}: [devices.{}.settings]: {}", where, rig.encoder.device, wrong)
+        raise UnusableInput(f"{where}: {keys[name]} = {name!r}: {objections[name]}")
+    raise UnusableInput("{}: [devices.{}.settings]: {}", where, rig.encoder.device, objection)
 
 
 def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowRequest) -> str:
-    """Return why no such device can do it, empty where one can; raise UnusableInput."""
+    """Return why the driver cannot fulfil a request, or an empty text; raise UnusableInput."""
     if info.check is None:
         return ""
-    with foreign(lambda error: _no_objection(info, error)):
+    with foreign(lambda error: _check_failed(info, error)):
         try:
             info.check(request)
         except ValueError as error:
@@ -254,7 +261,7 @@ def _objection(info: DriverInfo, request: DataRequest | DriveRequest | SlowReque
     return ""
 
 
-def _no_objection(info: DriverInfo, error: BaseException) -> UnusableInput:
+def _check_failed(info: DriverInfo, error: BaseException) -> UnusableInput:
     return UnusableInput(
         say(
             "the driver {} failed to check its request ‹{}›; report it to the author of the"
@@ -274,15 +281,15 @@ def make_devices(
     record: WireRecording | None = None,
     folder: Path = Path(),
 ) -> Devices:
-    """Make the drivers of a rig file without touching a port; raise UnusableInput, DeviceError.
+    """Create the drivers of a rig file, without opening a port; raise UnusableInput, DeviceError.
 
-    ports: device name -> port, in place of the rig file's. record: keeps the lines that are
-    recorded. folder: of the rig file, where nothing keeps lines.
+    ports: device name -> port, replacing that of the rig file. record: of the devices' lines.
+    folder: of the rig file, used without ``record``.
     """
     plan = plan_devices(rig, where, load)
-    making = Making(rig, ports, where, record or WireRecording(folder))
-    source = making.driver(plan.source, plan.source_driver, plan.data_request.settings)
-    spindle = making.driver(plan.spindle, plan.spindle_driver, plan.drive_request.settings)
+    factory = DriverFactory(rig, ports, where, record or WireRecording(folder))
+    source = factory.driver(plan.source, plan.source_driver, plan.data_request.settings)
+    spindle = factory.driver(plan.spindle, plan.spindle_driver, plan.drive_request.settings)
     return Devices(
         source=cast(GuardedSource, source),
         spindle=cast(GuardedSpindle, spindle),
@@ -292,15 +299,15 @@ def make_devices(
             name: rig.devices[name].driver for name in (plan.source, plan.spindle, *plan.slow)
         },
         slow=tuple(
-            (_slow_source(making, name, info, request.settings), request)
+            (_slow_source(factory, name, info, request.settings), request)
             for name, (info, request) in plan.slow.items()
         ),
-        explain=making.explain,
+        explain=factory.explain,
     )
 
 
-class Unusable:
-    """A slow source whose driver cannot be loaded: opening it fails with the reason."""
+class UnloadableSource:
+    """Stand-in for a slow source whose driver cannot be loaded; fails to open with the reason."""
 
     def __init__(self, error: DeviceError) -> None:
         self._error = error
@@ -311,20 +318,20 @@ class Unusable:
         raise ConnectionFailed(error.device, error.port, error.sentence) from error
 
     def close(self) -> None:
-        """Do nothing: nothing was opened."""
+        """Do nothing."""
 
 
 def _slow_source(
-    making: Making, name: str, info: DriverInfo, settings: Mapping[str, Any]
+    factory: DriverFactory, name: str, info: DriverInfo, settings: Mapping[str, Any]
 ) -> GuardedSlow:
     try:
-        return cast(GuardedSlow, making.driver(name, info, settings))
+        return cast(GuardedSlow, factory.driver(name, info, settings))
     except DeviceError as error:
-        return GuardedSlow(Unusable(error), name, error.port, info.name)
+        return GuardedSlow(UnloadableSource(error), name, error.port, info.name)
 
 
-def _broken(driver: str, error: DriverBroken) -> DriverInfo:
-    """Return a stand-in for the driver of a slow source whose package cannot be loaded."""
+def _unloadable_driver(driver: str, error: DriverBroken) -> DriverInfo:
+    """Return a stand-in for a slow source's driver whose package cannot be loaded."""
 
     def fails(name: str, port: str, settings: Mapping[str, Any]) -> NoReturn:
         raise ConnectionFailed(name, port, sentence_of_error(error)) from error
@@ -361,8 +368,8 @@ def _driver(
 
 
 @dataclass(frozen=True, slots=True)
-class Making:
-    """Make drivers of a rig file's devices."""
+class DriverFactory:
+    """Factory of the drivers of a rig file's devices."""
 
     rig: RigFile
     ports: Mapping[str, str]
@@ -383,9 +390,9 @@ class Making:
         return make_driver(info, name, port, settings, device.serial_number)
 
     def explain(self, error: DeviceError, device: Guarded) -> DeviceError:
-        """Return the error of opening a device, or that another one answers on its port.
+        """Return the error of opening a device, or that of another device on its port.
 
-        A UART adapter's port is not probed: a motor controller takes any byte for a speed.
+        A UART adapter's port is not probed: a motor controller interprets any byte as a speed.
         """
         missing = isinstance(error, ConnectionFailed | WrongDevice)
         if device.name in self.ports or not missing or has_speed(device.port):

@@ -1,8 +1,8 @@
-"""Run tests on a rig: the object that a service, a command line or a script calls.
+"""Run tests on a rig: the interface for the service, the command line and scripts.
 
-Every public method may be called from any thread. A command returns when it is accepted, not when
-it is carried out; ``wait`` waits for a state. A command that means nothing now raises ``Refused``;
-one with unusable words raises ``UnusableInput``; one that a device fails raises ``DeviceError``.
+All public methods are thread-safe. A command returns when it is accepted, not when it is complete;
+``wait`` waits for a state. Commands raise ``Refused`` in an unsuitable state, ``UnusableInput`` for
+unusable arguments, and ``DeviceError`` on a failure of a device.
 """
 
 from __future__ import annotations
@@ -71,17 +71,17 @@ from rigapp_drivers.api import DeviceError, DeviceFault
 from rigapp_drivers.registry import load_driver
 
 COMMAND_WAIT_S = 10.0
-"""A command waits so long for the one before it; stopping waits for none."""
+"""Longest wait of a command for the previous one; a stop does not wait."""
 
 
 class Engine:
-    """Conduct a rig.
+    """Engine of one rig.
 
-    rig: the rig file as read. ports: device name -> port in place of the rig file's (the simulated
-    rig's). load: finds drivers by name. open_store: makes the test file. on_measured: gets every
-    sound revolution, in the processing thread; must return at once. record_wire: where each
-    device's line is recorded, see ``WireRecording``. awake: keeps the computer awake while a test
-    runs, None where it need not be. ``subscribe`` and ``watch`` are the publisher's.
+    rig: the rig file as read. ports: device name -> port, replacing those of the rig file (for a
+    simulated rig). load: returns a driver by name. open_store: creates the test file. on_measured:
+    called with each valid revolution in the processing thread; must not block. record_wire: file of
+    the recordings of the devices' lines, see ``WireRecording``. awake: keeps the computer awake
+    during a test, or None. ``subscribe`` and ``watch``: see ``Publisher``.
     """
 
     def __init__(
@@ -116,13 +116,13 @@ class Engine:
     # --- connection ------------------------------------------------------------------------------
 
     def connect(self, ports: Callable[[], Mapping[str, str]] | None = None) -> None:
-        """Open and configure the devices and begin to read; blocks until ready.
+        """Open and configure the devices and start reading; blocks until ready.
 
-        ports: makes the simulated devices' ports, while the state shows that this connects.
+        ports: creates the ports of simulated devices; called in the state connecting.
 
-        From idle, ready, stopped or fault (then it is a reconnection). Raises UnusableInput,
-        DeviceError or Refused; after the first two the state is fault. DeviceFault: the drive is
-        connected, and an emergency stop or a fault of its own forbids to turn.
+        From idle, ready, stopped or fault (then it reconnects). Raises UnusableInput, DeviceError
+        or Refused; after the first two the state is fault. DeviceFault: the drive is connected, but
+        an emergency stop or a fault of its own prevents motion.
         """
         with self._command:
             self._core.fire(Trigger.CONNECT)
@@ -157,9 +157,9 @@ class Engine:
             if connection is not None and alarm.active and alarm.ends is Ends.DRIVE:
                 spindle = connection.devices.spindle
                 raise DeviceFault(spindle.name, spindle.port, "{} {}", alarm.cause, alarm.action)
-        then = next((alarm.action for alarm in alarms if alarm.cause == core.reason), "")
-        then = then or next_step(core, connection).sentence
-        raise InFault(say("{} {}", core.reason, then).strip(), core.fault_code)
+        remedy = next((alarm.action for alarm in alarms if alarm.cause == core.reason), "")
+        remedy = remedy or next_step(core, connection).sentence
+        raise InFault(say("{} {}", core.reason, remedy).strip(), core.fault_code)
 
     def _open(self) -> Connection:
         core = self._core
@@ -173,7 +173,7 @@ class Engine:
             connection = Connection(
                 core, devices, setup, calibration, lambda c: Supervisor(core, c).step
             )
-            # What the new connection does not report again is over.
+            # Alarms that the new connection does not raise again have ended.
             core.alarms.clear_ended_by(Ends.TEST, Ends.CONNECTION, Ends.SEEN)
             connection.start()
         except BaseException:
@@ -187,13 +187,13 @@ class Engine:
         if connection is None:
             return
         hanging = connection.close()
-        give_back()  # threads come and go with a connection, and the C library keeps what they had
+        give_back()  # the C library retains memory of the connection's threads
         self._core.control = None
         for name in hanging:
             self._core.warn(make_alarm("thread", name, sentence=say("it does not end")))
 
     def shutdown(self, timeout_s: float = 60.0) -> None:
-        """Stop a test under way, finish its file, release the devices. Safe to call twice."""
+        """Stop the active test, finish its file, release the devices. Idempotent."""
         if self._core.state in ACTIVE:
             self._core.trip(
                 Ending(FinishReason.OPERATOR, say("The engine was shut down during the test."))
@@ -222,13 +222,12 @@ class Engine:
         remarks: Sequence[LogEntry] = (),
         worn: SpecimenWear | None = None,
     ) -> None:
-        """Make the file of a test (or reopen it: ``resume``) and start to turn.
+        """Create the file of a test (or reopen it: ``resume``) and start the spindle.
 
-        remarks: go into the log before the crank turns. worn: wear of the specimen by its
-        last known depth, which the first one measured is compared with.
-        Raises Refused (InFault with the cause where there is a fault, whenever it came),
-        UnusableInput (the test contradicts the rig, the file cannot be made) or DeviceError (the
-        drive refuses); the spindle does not turn then.
+        remarks: logged before the crank turns. worn: last known wear of the specimen, with which
+        the first measured depth is compared. Raises Refused (InFault with the cause in the state
+        fault), UnusableInput (the test contradicts the rig, the file cannot be created) or
+        DeviceError (of the drive); the spindle does not turn then.
         """
         with self._command:
             try:
@@ -250,7 +249,7 @@ class Engine:
         transition(core.state, Trigger.START)
         if connection is None:
             raise Refused("no devices are connected; connect first")
-        give_back()  # memory of the test before: the crank is stationary, a pause is harmless
+        give_back()  # memory of the previous test: the crank is stationary, a pause is harmless
         self._operator = operator
         start_test(
             core,
@@ -266,7 +265,7 @@ class Engine:
         )
 
     def pause(self, operator: str = "", reason: str = "") -> None:
-        """Slow down and come to rest at the safe angle; the drive holds the crank there.
+        """Stop the crank at the safe angle; the drive holds it there.
 
         A rest between two steps becomes a pause.
         """
@@ -281,7 +280,7 @@ class Engine:
             )
 
     def resume(self, operator: str = "") -> None:
-        """Go on after a pause; raises DeviceError when the drive refuses."""
+        """Resume after a pause; raise DeviceError on a failure of the drive."""
         with self._command:
             core, connection = self._core, self._connection
             transition(core.state, Trigger.RESUME)
@@ -292,14 +291,13 @@ class Engine:
             connection.motion.resume(active)
 
     def stop(self, operator: str = "", reason: str = "") -> None:
-        """End the test with a controlled stop; raise Refused when none is under way."""
+        """End the test with a controlled stop; raise Refused without an active test."""
         self._end(operator, reason, off=False)
 
     def drive_off(self, operator: str = "", reason: str = "") -> None:
-        """Take the power off the motor at once and end the test.
+        """Switch off the motor's power immediately and end the test.
 
-        Without a test under way the power is taken off all the same. This is not an emergency
-        stop: that one is hardware.
+        Also without an active test. This is not an emergency stop, which is hardware.
         """
         if self._core.state not in ACTIVE:
             connection = self._connection
@@ -315,21 +313,21 @@ class Engine:
             transition(self._core.state, Trigger.STOP)
         sentence = ended_by(operator, reason, off=off)
         active = self._core.test
-        waits = active is not None and active.finishing.acquire(blocking=False)
-        # The drive first: the log may have to wait for the disk. The file is not finished before.
+        locked = active is not None and active.finishing.acquire(blocking=False)
+        # The drive first, as the log may wait for the disk. The file is not finished meanwhile.
         try:
             self._core.trip(Ending(FinishReason.OPERATOR, sentence, off=off))
             self._note_command("drive_off" if off else "stop", operator, reason)
         finally:
-            if active is not None and waits:
+            if active is not None and locked:
                 active.finishing.release()
 
     def reset(self, operator: str = "") -> None:
-        """Take latched alarms off the list; from stopped or fault, go back to ready.
+        """Clear latched alarms; from stopped or fault, return to ready.
 
-        The deliberate action before another start. It is possible in every state while an alarm
-        waits for it. Without a sound connection the state stays. Raises Refused while a critical
-        alarm is active or not acknowledged, or when nothing is there to reset.
+        The deliberate action before another start. Possible in any state while an alarm needs it.
+        Without a working connection the state is unchanged. Raises Refused while a critical alarm
+        is active or not acknowledged, or if there is nothing to reset.
         """
         with self._command:
             core, connection = self._core, self._connection
@@ -350,7 +348,7 @@ class Engine:
                 raise Refused("the connection to the devices is broken; connect first")
 
     def _reset_drive(self, connection: Connection) -> None:
-        """Acknowledge the drive's own faults, so that the alarm they raised can go."""
+        """Acknowledge the drive's own faults, so that their alarm can be cleared."""
         status = connection.rig.control.status
         if status is None or not (status.faults or status.emergency_stop):
             return
@@ -380,15 +378,15 @@ class Engine:
             raise Refused("the log of this test has no room left for notes; alarms are still kept")
 
     def log(self, kind: str, text: str, who: str, before: str = "", after: str = "") -> None:
-        """Write an event to the log of the test, with what was before and after it."""
+        """Write an event to the log of the test, with values before and after it."""
         self._core.event(kind, who, text, before, after)
 
     def service_failed(self, sentence: str) -> None:
-        """Warn that viewers cannot be served."""
+        """Raise the alarm that viewers cannot be served."""
         self._core.act_on(make_alarm("service", sentence=sentence))
 
     def warn(self, kind: str, sentence: str) -> None:
-        """Warn of the messages, the queue or a test cut off; an empty sentence ends the warning."""
+        """Raise a warning (messages, queue, a test cut off), or clear it with an empty sentence."""
         cause = make_alarm(kind, sentence=sentence)
         if sentence:
             self._core.warn(cause)
@@ -396,7 +394,7 @@ class Engine:
             self._core.alarms.clear(cause.key)
 
     def set_limit(self, name: str, value: float, operator: str = "", reason: str = "") -> None:
-        """Change a limit of the test under way; the change is logged with before and after.
+        """Change a limit of the active test; logged with both values.
 
         name: ``overload_N``, ``overspeed_rpm``, ``stale_data_s``, or ``QUANTITY.LEVEL`` of a rule
         of the test, for example ``force_max.critical_above``. Raises Refused, UnusableInput.
@@ -405,10 +403,10 @@ class Engine:
             set_limit(self._core, name, value, operator, reason)
 
     def extend(self, revolutions: int, operator: str = "", reason: str = "") -> None:
-        """Let the test under way end after another number of revolutions; logged.
+        """Change the number of revolutions of the active test; logged.
 
-        Raises Refused when no test runs or it has come so far already, UnusableInput when the file
-        or the disk has no room for them.
+        Raises Refused without a running test or if that revolution has passed, UnusableInput if the
+        file or the disk has no space for them.
         """
         with self._command:
             extend(self._core, revolutions, operator, reason)
@@ -416,11 +414,10 @@ class Engine:
     def zero(
         self, what: Sequence[str] = ("load_cell",), operator: str = "", reason: str = ""
     ) -> dict[str, tuple[float, float]]:
-        """Take the present signals as zero of the load cell; returns it in signal units.
+        """Take the present signals as zero of the load cell; return it in signal units.
 
-        The crank must be stationary and the pin unloaded. The zero is a tare beside the
-        calibration, which it does not touch. Only while no test is under way. Raises Refused,
-        TimeoutError.
+        The crank must be stationary and the pin unloaded. The zero is a tare in addition to the
+        calibration, which is unchanged. Only without an active test. Raises Refused, TimeoutError.
         """
         unknown = [name for name in what if name != "load_cell"]
         if unknown:
@@ -430,27 +427,27 @@ class Engine:
             return {"load_cell": (float(tare[0]), float(tare[1]))}
 
     def use_records(self, rig: Document[RigFile], records: Mapping[str, str]) -> None:
-        """Use a rig file with the numbers of other records; only while no test is under way.
+        """Use a rig file with the values of other records; only without an active test.
 
-        rig: otherwise as this engine's. A tare stays while the load cell's numbers do. Raises
-        Refused and UnusableInput; nothing is changed then.
+        rig: otherwise equal to that of the engine. The tare is kept if the load cell's values are
+        unchanged. Raises Refused and UnusableInput, without any change.
         """
         with self._command:
             use_records(self._core, self._connection, rig)
             self._records = dict(records)
 
     def set_tare(self, tare: Sequence[float], angle: float | None = None) -> None:
-        """Use the tare of an earlier part of a test (mV/V); only while no test is under way.
+        """Use the tare of an earlier run of a test (mV/V); only without an active test.
 
-        angle: of the crank where it was taken, rad, None where it is not known.
+        angle: of the crank when it was taken, rad, None if unknown.
         """
         with self._command:
             self._before_a_test(say("the tare is set")).processor.set_tare(tare, angle)
 
     def rest(self) -> RigAtRest:
-        """Return calibration, device settings and the load cell's signals as they are now.
+        """Return the present calibration, device settings and signals of the load cell.
 
-        Raises Refused without devices and while a test is under way.
+        Raises Refused without devices and during a test.
         """
         with self._command:
             rig = self._before_a_test(say("this is looked at"))
@@ -462,7 +459,7 @@ class Engine:
         return self._connection.rig if self._connection is not None else None
 
     def _before_a_test(self, what: str) -> ConnectedRig:
-        """Return the connected rig while no test is under way; raise Refused."""
+        """Return the connected rig; raise Refused without one or during a test."""
         if self._rig is None or self._core.state in ACTIVE:
             raise Refused("{} before a test, with the devices connected", what)
         return self._rig
@@ -470,14 +467,14 @@ class Engine:
     def signal_view(self, window_s: float) -> SignalView:
         """Return the electrical signals of the last seconds and the angle, for a calibration.
 
-        Only while no test is under way; raises Refused.
+        Raises Refused during a test.
         """
         simulated = self._core.rig.record.simulated
         return signal_view(self._rig, self._core.state, window_s, simulated=simulated)
 
     @property
     def samples_processed(self) -> int:
-        """Return the device sample that comes next, 0 without a connection."""
+        """Return the number of the next device sample, 0 without a connection."""
         connection = self._connection
         return connection.rig.processor.next_sample if connection is not None else 0
 
@@ -493,26 +490,26 @@ class Engine:
 
     @property
     def outcome(self) -> Finished | None:
-        """Return how the last test ended, None before one has."""
+        """Return the outcome of the last test, None before its end."""
         active = self._core.test
         return active.outcome if active is not None else None
 
     def status(self) -> Status:
-        """Return the status at this moment."""
+        """Return the present status."""
         return build_status(
             self._core, self._connection, self._operator, self._opening, self._open_error
         )
 
     def wait(self, until: Iterable[RunState] = ENDED, timeout_s: float = 60.0) -> RunState:
-        """Wait for one of some states; raise TimeoutError. A test has ended in ``run.ENDED``."""
+        """Wait for one of the states, by default the end of a test; raise TimeoutError."""
         return self._core.wait(until, timeout_s)
 
     def snapshot(self, subscription: Subscription) -> Snapshot:
-        """Return what is new for a viewer, with the status, as one message."""
+        """Return the new data for a viewer and the status as one message."""
         return subscription.take(self.status)
 
     def submit_prediction(self, prediction: Prediction) -> None:
-        """Take a prediction of the twin: store it, judge it by the rules, publish it."""
+        """Store, publish and evaluate a prediction of the twin."""
         core, active = self._core, self._core.test
         if active is None or core.state not in ACTIVE:
             return

@@ -1,4 +1,4 @@
-"""Evaluate the samples and act on the result, in the processing thread."""
+"""Evaluate samples and revolutions and act on the result, in the processing thread."""
 
 from __future__ import annotations
 
@@ -30,40 +30,40 @@ from rigapp.texts import say
 Array = NDArray[np.float64]
 
 AT_SPEED = 0.05
-"""The set speed is reached within this share of it."""
+"""Relative deviation within which the set speed is reached."""
 
 SPEED_HELD = (RunState.STARTING, RunState.RUNNING)
-"""States in which the crank turns at the set speed, or goes to it."""
+"""States in which the crank turns at the set speed, or accelerates to it."""
 
 PAUSE_RPM = 3.0
-"""A crank that is held in a pause may not turn faster than this."""
+"""Largest speed of a crank that is held in a pause."""
 
 MISSED_INDEX_LIMIT = 2
-"""Revolutions in a row without an index that end the test."""
+"""Consecutive revolutions without an index that end the test."""
 
 INDEX_SEARCH_REVOLUTIONS = 2.5
 
-SENSE_TURN = 0.125
+DIRECTION_TURN = 0.125
 QUARTER_TURN = 0.25
-"""Within this turn of the encoder since the start its direction is compared with the drive's; later
-only while the drive has not answered since."""
+"""Range of the encoder's turn since the start in which its direction is compared with the drive's;
+beyond it only until the first answer of the drive."""
 
 BACKWARDS_RPM = -1.0
-"""A drive that reports less than this turns backwards."""
+"""Reported speed of the drive below which it turns backwards."""
 
-CALM_REVOLUTIONS = 20
+VALID_REVOLUTIONS = 20
 
-CALMING = {
+CLEARED_AUTOMATICALLY = {
     "count_mismatch": Flag.COUNT_MISMATCH,
     "lost_samples": Flag.LOST_SAMPLES | Flag.GAP_BEFORE,
     "device_overrun": Flag.LOST_SAMPLES | Flag.GAP_BEFORE,
     "time_jump": Flag.TIME_JUMP,
 }
-"""Warnings that end by themselves, and the flags that keep them."""
+"""Warnings that are cleared automatically, and the flags that prevent it."""
 
 
 class Guard:
-    """Act on the samples of a connected rig; see ``processing.SampleMonitor``."""
+    """Actions on the samples of a connected rig; implements ``processing.SampleMonitor``."""
 
     def __init__(self, core: Core, rig: ConnectedRig, motion: CrankMotion) -> None:
         self._core = core
@@ -75,10 +75,10 @@ class Guard:
         self._turning_s = 0.0
         self._speeds = SpeedComparison()
         self._turned_before = 0.0
-        self._calm = False
+        self._force_within_limit = False
         self._changed_in = 0
-        self._sound: dict[str, int] = {}
-        self._blind: set[str] = set()
+        self._valid_revolutions: dict[str, int] = {}
+        self._without_data: set[str] = set()
         self._peak_N = 0.0
 
     # --- every block -----------------------------------------------------------------------------
@@ -92,18 +92,18 @@ class Guard:
         self._speeds.begin()
         self.gaps.begin()
         self._missed = 0
-        self._blind = set()
+        self._without_data = set()
         self._peak_N = 0.0
         if test is not None:
             test.begin(sample)
 
     def overload(self, force_N: float, beyond_range: bool) -> None:
-        """Take the power off: a sample is above the overload limit, or not a number."""
+        """Switch the power off: a sample is above the overload limit, or NaN."""
         run = self._core
-        self._calm = False
+        self._force_within_limit = False
         if math.isfinite(force_N):
-            if run.state in ACTIVE:  # the limit is the test's: without one, weights may hang
-                # A crank that coasts passes the limit again: the alarm keeps the largest.
+            if run.state in ACTIVE:  # the limit is the test's; without one, weights may be applied
+                # A coasting crank exceeds the limit repeatedly: the alarm shows the maximum.
                 self._peak_N = max(self._peak_N, force_N)
                 cause = make_alarm(
                     "overload:beyond_range" if beyond_range else "overload",
@@ -117,9 +117,10 @@ class Guard:
             run.warn(make_alarm("invalid_signal"))
 
     def cut_off(self, inputs: frozenset[str], force_N: float, slowed: bool) -> bool:
-        """Take the power off in a test: a saturated input shows a force above the limit.
+        """Switch the power off in a test: a saturated input shows a force above the limit.
 
-        At a speed that should not fall, a crank that slows proves the force: a cable slows nothing.
+        At a constant set speed, a decelerating crank confirms the force: a broken cable does not
+        slow it down.
         """
         if self._core.state not in ACTIVE:
             return False
@@ -130,7 +131,7 @@ class Guard:
         return True
 
     def saturated(self, inputs: frozenset[str]) -> None:
-        """Raise the alarms of these inputs, and end those of all others."""
+        """Raise the alarms of these inputs, and clear those of all others."""
         for name in self._rig.processor.calibration.names:
             for kind in ("saturated", "input_saturated") if name not in inputs else ():
                 self._core.alarms.clear(key_of(kind, name))
@@ -144,7 +145,7 @@ class Guard:
             if name not in inputs or run.alarms.is_active(key_of("saturated", name)):
                 continue
             critical = channel.instrument == LOAD_CELL and run.state in ACTIVE
-            # A force that stays beyond the range after an overload is the overload's.
+            # A force beyond the range after an overload belongs to the overload.
             critical = critical and not run.alarms.is_active("overload:beyond_range")
             cause = make_alarm(
                 "saturated" if critical else "input_saturated",
@@ -156,15 +157,15 @@ class Guard:
             run.act_on(cause)
 
     def calm(self) -> None:
-        """End the overload: the force of a whole block is within the limit."""
-        self._calm = True
+        """Record the end of an overload: the force of a complete block is within the limit."""
+        self._force_within_limit = True
 
     def motion(self, speed_rpm: float) -> None:
         """Check for overspeed, a missing index, and the set speed."""
         run, rig = self._core, self._rig
         state, test = run.state, run.test
-        if self._calm and state not in ACTIVE:
-            self._calm = False
+        if self._force_within_limit and state not in ACTIVE:
+            self._force_within_limit = False
             run.alarms.clear("invalid_signal")
         self.gaps.look()
         limit = run.limits.overspeed_rpm
@@ -172,7 +173,7 @@ class Guard:
             by = say("crank encoder")
             run.act_on(make_alarm("overspeed", by=by, speed_rpm=speed_rpm, limit_rpm=limit))
         turned = rig.processor.assembler.motion.turned_without_index
-        # The mean speed of a slow crank looks back into the time before it came to rest.
+        # The window of the mean speed of a slow crank extends to before its standstill.
         if (
             state is RunState.PAUSED
             and abs(speed_rpm) > PAUSE_RPM
@@ -185,7 +186,7 @@ class Guard:
             if test is not None:
                 self._changes(test)
             return
-        if self._start_count is not None and self._senses_differ(self._start_count):
+        if self._start_count is not None and self._direction_differs(self._start_count):
             return
         # Turns without an index before this start do not count.
         self._turned_before = min(self._turned_before, turned)
@@ -206,7 +207,7 @@ class Guard:
         self._compare_speeds(speed_rpm, test)
 
     def _changes(self, test: ActiveTest) -> None:
-        """Record that the speed is being changed, or was until now."""
+        """Record that the speed is changing, or was until now."""
         test.steady_from = None
         self._changed_in = self._rig.processor.assembler.ordinal
 
@@ -222,15 +223,16 @@ class Guard:
             cause = make_alarm("speeds_differ", encoder_rpm=speed_rpm, drive_rpm=drive_rpm)
             self._core.act_on(cause)
 
-    def _senses_differ(self, start_count: int) -> bool:
-        """End a test in whose first quarter turn encoder or drive show the crank turning backwards.
+    def _direction_differs(self, start_count: int) -> bool:
+        """End the test if encoder or drive show a backward motion in the first quarter turn.
 
-        Tests turn forwards only; a pause may swing the crank later, so nothing is compared then.
+        Tests turn forwards only. Later the directions are not compared, as the crank may swing in a
+        pause.
         """
         control, assembler = self._rig.control, self._rig.processor.assembler
         counts = assembler.motion.travel[1] - start_count
         turned = counts / assembler.encoder.counts_per_revolution
-        if abs(turned) < SENSE_TURN:
+        if abs(turned) < DIRECTION_TURN:
             self._turning_s = time.monotonic()
             return False
         status = control.status
@@ -249,7 +251,7 @@ class Guard:
         return True
 
     def lost(self, samples: int, seconds: float) -> None:
-        """Warn of lost samples; power off when they are as long as stale data."""
+        """Warn of lost samples; switch the power off if the gap exceeds the limit of stale data."""
         if not self.gaps.known(seconds):
             self._warn_lost(samples)
 
@@ -263,7 +265,7 @@ class Guard:
     # --- every revolution ------------------------------------------------------------------------
 
     def revolution(self, revolution: Revolution) -> None:
-        """Number, reduce, judge, store and publish a revolution, in this order."""
+        """Number, reduce, evaluate, store and publish a revolution, in this order."""
         run, test = self._core, self._core.test
         if test is None or run.state not in ACTIVE or test.reached_standstill:
             return
@@ -280,11 +282,11 @@ class Guard:
             self._motion.start_step(test.sequence.at(row.number + 1))
 
     def _is_steady(self, test: ActiveTest, revolution: Revolution) -> bool:
-        """Return whether the speed was not being changed in any part of a revolution.
+        """Return whether the speed was constant during the whole revolution.
 
-        It began at the set speed, by its own samples: how many come in a block depends on the
-        computer, and rows do not. A crank that never turns evenly enough is steady a revolution
-        after it was seen at speed.
+        By the speed at its beginning, from its own samples: rows must not depend on the size of
+        blocks, as the state does. A crank with a large ripple is steady one revolution after it
+        reached the speed.
         """
         if test.steady_from is not None and revolution.ordinal >= test.steady_from:
             return True
@@ -315,7 +317,7 @@ class Guard:
             run.warn(make_alarm("count_mismatch", revolution=row.number))
         if flags & Flag.LOST_SAMPLES:
             self._warn_lost(self._rig.processor.assembler.lost_samples)
-        for key, mask in CALMING.items():
+        for key, mask in CLEARED_AUTOMATICALLY.items():
             self._clear_if_ok(key, not flags & mask)
         for verdict in row.verdicts:
             self.verdict(verdict)
@@ -324,13 +326,13 @@ class Guard:
         self._check_data(test)
 
     def _check_data(self, test: ActiveTest) -> None:
-        """Warn of stop criteria without a value, and end the warning when they have one again."""
+        """Warn of stop criteria without a value, and clear the warning when it returns."""
         no_data = set(test.run.stops.no_data())
-        for name in no_data - self._blind:
+        for name in no_data - self._without_data:
             self._core.warn(make_alarm("blind", name, name=CRITERIA[name].title))
-        for name in self._blind - no_data:
+        for name in self._without_data - no_data:
             self._core.alarms.clear(key_of("blind", name))
-        self._blind = no_data
+        self._without_data = no_data
 
     def _end(self, test: ActiveTest, met: CriterionMet) -> None:
         """End the test by one of its stop criteria."""
@@ -348,8 +350,8 @@ class Guard:
         """Evaluate the twin's prediction by the rules of the test."""
         named = by_name(prediction_columns(), values)
         measured = self._core.table.place
-        alone = {name: value for name, value in named.items() if name not in measured}
-        for verdict in test.run.monitor.judge(alone, test.run.step(int(named["revolution"]))):
+        unmeasured = {name: value for name, value in named.items() if name not in measured}
+        for verdict in test.run.monitor.judge(unmeasured, test.run.step(int(named["revolution"]))):
             self.verdict(verdict)
         for cause in test.run.joint.look(named):
             if isinstance(cause, str):
@@ -370,7 +372,7 @@ class Guard:
             self._end(test, met)
 
     def verdict(self, verdict: LevelPassed) -> None:
-        """Carry out the action of a rule of the test."""
+        """Perform the action of a rule of the test."""
         run, cause = self._core, verdict.cause
         if not verdict.active:
             run.alarms.clear(cause.key)
@@ -382,20 +384,20 @@ class Guard:
                 self._motion.pause(cause.sentence)
 
     def _clear_if_ok(self, key: str, sound: bool) -> None:
-        """Clear a warning after enough sound revolutions; at once it would flood the log."""
-        self._sound[key] = self._sound.get(key, 0) + 1 if sound else 0
-        if self._sound[key] == CALM_REVOLUTIONS:
+        """Clear a warning after enough valid revolutions; immediately, it would flood the log."""
+        self._valid_revolutions[key] = self._valid_revolutions.get(key, 0) + 1 if sound else 0
+        if self._valid_revolutions[key] == VALID_REVOLUTIONS:
             self._core.alarms.clear(key)
 
 
 def _samples_missing(revolution: Revolution) -> bool:
-    """Return whether samples are missing in or before a revolution, even where they are counted."""
+    """Return whether samples are missing in or before a revolution, of known number or not."""
     known = Flag.LOST_SAMPLES | Flag.GAP_BEFORE | Flag.TIME_JUMP
     return revolution.skipped_counts != 0 or bool(revolution.flags & known)
 
 
 def _remarked(sentence: str, test: ActiveTest) -> str:
-    """Return why a test is complete, and why its wear depth is not to be believed, if so."""
+    """Return why a test is complete, with a remark if its wear depth is doubtful."""
     return say("{} {}", sentence, test.run.depth.remark).rstrip()
 
 

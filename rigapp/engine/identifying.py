@@ -1,4 +1,4 @@
-"""Which devices are connected: what each reports of itself, and which answers for another."""
+"""Identities of connected devices, and detection of exchanged devices."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from rigapp_drivers.edge import Guarded
 from rigapp_drivers.registry import DriverNotFound, available_drivers, load_driver
 
 IDENTITY: Final = ("maker", "model", "firmware", "serial_number")
-"""What a device reports of itself; in a file ``device_model`` and so on beside its settings."""
+"""Fields of an identity; in a file ``device_model`` etc. beside the settings of a device."""
 
 
 def identity_record(identity: Identity) -> dict[str, str]:
-    """Return the identity of a device as it is kept beside its settings."""
+    """Return the identity of a device as stored beside its settings."""
     result = {f"device_{name}": getattr(identity, name) for name in IDENTITY}
     return {name: value for name, value in result.items() if value}
 
 
 def stranger(device: Guarded, driver: str) -> WrongDevice | None:
-    """Return the error that another device answers on a port, None where none is known there.
+    """Return an error if a device of another driver answers on the port, else None.
 
-    The port is probed for the other drivers; nothing moves, nothing is set.
+    Probes the port for the other drivers, without motion or change of settings.
     """
     answer = ask(device.port, _others(driver)).answer
     if answer is None:
@@ -43,14 +43,14 @@ def stranger(device: Guarded, driver: str) -> WrongDevice | None:
     )
 
 
-def together(errors: Sequence[DeviceError]) -> DeviceError:
-    """Return one error for several devices, whose ``each`` has them all; errors: at least one."""
+def combined_error(errors: Sequence[DeviceError]) -> DeviceError:
+    """Return one error for several devices, with all in its ``each``; errors: at least one."""
     first = errors[0]
     if len(errors) == 1:
         return first
-    alike = len({error.sentence for error in errors}) == 1
+    same_sentence = len({error.sentence for error in errors}) == 1
     each = (say("{}: {}", error.device, error.sentence) for error in errors)
-    words = first.sentence if alike else joined(" ", each)
+    words = first.sentence if same_sentence else joined(" ", each)
     devices = joined(", ", dict.fromkeys(error.device for error in errors))
     ports = joined(", ", dict.fromkeys(error.port for error in errors))
     error = type(first)(devices, ports, words)
@@ -68,7 +68,7 @@ def _others(driver: str) -> list[DriverInfo]:
 
 
 def identity_words(readback: Mapping[str, object]) -> str:
-    """Return the identity of a device in words, from what is kept of it."""
+    """Return the identity of a device as text, from its stored fields."""
     words = [str(readback.get(f"device_{name}", "")) for name in IDENTITY[:2]]
     name = " ".join(word for word in words if word)
     firmware, number = (readback.get(f"device_{name}", "") for name in IDENTITY[2:])

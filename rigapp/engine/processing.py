@@ -1,4 +1,4 @@
-"""Process a Block, in order: check for overload, assemble, check the motion, hand over."""
+"""Processing of Blocks: overload check, assembly, motion check, revolutions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from rigapp_drivers.api import Block, SampleClock
 
 
 class SampleMonitor(Protocol):
-    """Act on the samples; called in the processing thread."""
+    """Actions on samples; called in the processing thread."""
 
     def begun(self, sample: int) -> None:
         """Begin the test with this device sample."""
@@ -33,39 +33,39 @@ class SampleMonitor(Protocol):
     def cut_off(self, inputs: frozenset[str], force_N: float, slowed: bool) -> bool:
         """Act on a force above the limit that only these saturated inputs show.
 
-        slowed: the crank lost speed meanwhile. Return whether the inputs count as saturated.
+        slowed: the crank has lost speed. Returns whether the inputs count as saturated.
         """
 
     def saturated(self, inputs: frozenset[str]) -> None:
-        """Take the inputs that stay at the end of their range, as channels."""
+        """Act on a change of the inputs that stay at the end of their range, as channels."""
 
     def calm(self) -> None:
-        """Act on a force that is within its limit again."""
+        """Act on a force within its limit again."""
 
     def motion(self, speed_rpm: float) -> None:
-        """Act on the newest speed."""
+        """Act on the latest speed."""
 
     def revolution(self, revolution: Revolution) -> None:
-        """Take a revolution."""
+        """Act on a revolution."""
 
     def lost(self, samples: int, seconds: float) -> None:
         """Act on lost samples: their number so far, and the duration of the gap."""
 
 
 SLOWED_SHARE = 0.8
-"""A crank that turned less than this share of its due has met an obstacle. A drive holds its
-speed within some per cent, and a cable that breaks slows nothing."""
+"""Share of the expected turn below which the crank was slowed by an obstacle. A drive holds its
+speed within some per cent, and a broken cable does not slow the crank."""
 
 BEFORE_S = 0.4
-"""The speed before a saturated sample is the mean of so long, which a jam has not slowed yet."""
+"""Window of the mean speed before a saturated sample, before a jam slows the crank."""
 
 SAME_WINDOW = 0.95
-"""A window that is shorter by less than the rest is not restarted: the difference is invisible."""
+"""Ratio from which a shorter window is used as it is, since the difference is invisible."""
 
 
 @dataclass(slots=True, eq=False)
 class Averaging:
-    """Average the analog signals over some samples, for a zero."""
+    """Mean of the analog signals over a number of samples, for a zero."""
 
     wanted: int
     total: NDArray[np.float64]
@@ -95,7 +95,7 @@ class Averaging:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Live:
-    """The newest block's last sample: electrical signals and engineering values, by channel."""
+    """Latest sample: electrical signals and engineering values, by channel."""
 
     signals: Mapping[str, float]
     values: Mapping[str, float]
@@ -104,10 +104,10 @@ class Live:
 
 
 class Processor:
-    """Process the Blocks of one connection; ``handle`` belongs to the processing thread.
+    """Processing of the Blocks of one connection; ``handle`` is for the processing thread.
 
-    monitor: acts on the samples; set before the first block. next_sample: the device sample that is
-    expected next; saturated_until: the same behind the last block with a saturated sample.
+    monitor: actions on the samples; set before the first block. next_sample: the expected device
+    sample; saturated_until: that after the last block with a saturated sample.
     """
 
     monitor: SampleMonitor
@@ -161,13 +161,13 @@ class Processor:
 
     @property
     def force_N(self) -> float:
-        """Return |F| of the newest sample, NaN before the first."""
+        """Return |F| of the latest sample, NaN before the first."""
         live = self.live
         return math.nan if live is None else live.values["force"]
 
     @property
     def live(self) -> Live | None:
-        """Return the newest sample, None before the first; calculated at each call."""
+        """Return the latest sample, None before the first; computed at each call."""
         block, calibration = self._newest, self.calibration
         if block is None:
             return None
@@ -196,29 +196,29 @@ class Processor:
         )
 
     def use(self, calibration: Calibration) -> None:
-        """Use another calibration of the same inputs from the next block on; as ``set_tare``."""
+        """Use another calibration of the same inputs from the next block on; see ``set_tare``."""
         self._set(calibration)
 
     def set_tare(self, tare: Sequence[float], angle: float | None = None) -> None:
-        """Use another tare from the next block on; not while a test is recorded.
+        """Use another tare from the next block on; not during a test.
 
-        angle: of the crank where it was taken, rad, None where it is not known.
+        angle: of the crank when it was taken, rad, None if unknown.
         """
         self._set(self.calibration.with_tare(tare, angle))
 
     def begin_test(self) -> None:
-        """Let the next revolution begin at the next index, as of the next block."""
+        """Discard the revolution in progress at the next block; the next one starts at an index."""
         self._discard.set()
 
     def average(self, samples: int) -> Averaging:
-        """Begin to average the next samples."""
+        """Start averaging the next samples."""
         inputs = len(self.calibration.wires)
         averaging = Averaging(samples, np.zeros(inputs), np.zeros(inputs))
         self._averaging = averaging
         return averaging
 
     def listen(self, window_s: float) -> Means:
-        """Return the signals of the last window_s; they are kept from the first call on."""
+        """Return the signals of the last window_s; recording starts with the first call."""
         recent = self._recent
         if recent is None or recent.window_s < SAME_WINDOW * window_s:
             rate, inputs = self.calibration.sample_rate_Hz, len(self.calibration.wires)
@@ -227,9 +227,9 @@ class Processor:
         return recent.read()
 
     def unfinished(self, timeout_s: float = 1.0) -> Revolution | None:
-        """Return the samples so far of the revolution under way; any thread may call it.
+        """Return the samples of the revolution in progress; thread-safe.
 
-        None when there is nothing, or the processing thread is held up for longer than timeout_s.
+        None without samples, or if the processing thread is busy for longer than timeout_s.
         """
         if not self._busy.acquire(timeout=timeout_s):
             return None
@@ -248,10 +248,12 @@ class Processor:
         if n == 0:
             self.assembler.push(block)
             if self._clock is not None:
-                self._stand(self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9)
+                self._add_standstill(
+                    self._clock.quiet(block.host_time_ns), block.host_time_ns * 1e-9
+                )
             return
         ticks = self._clock.times(block) if self._clock is not None else None
-        if self._look_for_overload(block, ticks):
+        if self._check_overload(block, ticks):
             self.saturated_until = block.first_sample + n
         if self._discard.is_set():
             self._discard.clear()
@@ -264,32 +266,32 @@ class Processor:
             self.motion.gap()
             gap_s = max(0, assembler.motion.gap) / self.calibration.sample_rate_Hz
             self.monitor.lost(assembler.lost_samples, gap_s)
-        self._look(block, n, ticks)
+        self._add_motion(block, n, ticks)
         for revolution in revolutions:
             self.monitor.revolution(revolution)
 
-    def _look_for_overload(self, block: Block, ticks: NDArray[np.int64] | None) -> bool:
-        """Check every force first; one of a saturated input is not a measured one.
+    def _check_overload(self, block: Block, ticks: NDArray[np.int64] | None) -> bool:
+        """Check the force of all samples first; that of a saturated input is a lower bound.
 
         Returns whether a sample is flagged as saturated.
         """
         full = full_samples(block, self.calibration)
-        turning = self._turning() if self._peak.needs_angle else None
-        peak, limit_N = self._peak.of(block.values, turning), self._overload_N()
+        count_and_step = self._extrapolated_count() if self._peak.needs_angle else None
+        peak, limit_N = self._peak.of(block.values, count_and_step), self._overload_N()
         over = not peak <= limit_N
-        cut, measured = None, peak
+        saturated_samples, measured = None, peak
         if over and full is not None:
             pair = self.calibration.inputs_of(LOAD_CELL)
-            cut = full[pair]
-            left = block.values.compress(~cut.any(axis=0), axis=1)
-            measured = self._peak.of(left, turning)
+            saturated_samples = full[pair]
+            unsaturated = block.values.compress(~saturated_samples.any(axis=0), axis=1)
+            measured = self._peak.of(unsaturated, count_and_step)
         if not measured <= limit_N:
             known = measured if math.isnan(measured) else peak
             self.monitor.overload(known, beyond_range=known > measured)
-        elif over and cut is not None:
+        elif over and saturated_samples is not None:
             names = [self.calibration.names[i] for i in pair]
-            inputs = frozenset(names[i] for i in np.flatnonzero(cut.any(axis=1)))
-            slowed = self._slowed(block, int(np.argmax(cut.any(axis=0))), ticks)
+            inputs = frozenset(names[i] for i in np.flatnonzero(saturated_samples.any(axis=1)))
+            slowed = self._slowed(block, int(np.argmax(saturated_samples.any(axis=0))), ticks)
             if self.monitor.cut_off(inputs, peak, slowed):
                 self._saturation.mark(inputs)
         elif self._over:
@@ -299,10 +301,11 @@ class Processor:
             self.monitor.saturated(self._saturation.inputs)
         return full is not None
 
-    def _turning(self) -> tuple[float, float] | None:
-        """Return the count of the next sample and the counts a sample; None before the index.
+    def _extrapolated_count(self) -> tuple[float, float] | None:
+        """Return the count of the next sample and the counts per sample; None before the index.
 
-        From the speed before: the pin's weight is small, and samples are judged as they come.
+        Extrapolated from the previous speed: the pin's weight is small, and samples are checked
+        before they are assembled.
         """
         last = self.motion.newest()
         if last is None or last.phase is None:
@@ -315,7 +318,7 @@ class Processor:
     def _slowed(self, block: Block, sample: int, ticks: NDArray[np.int64] | None) -> bool:
         """Return whether the crank lost speed from the sample before ``sample`` to the block's end.
 
-        The load cell's filter delays the force, so that the count is ahead of it.
+        The load cell's filter delays the force relative to the count.
         """
         counter, turn = self.calibration.counter, self.calibration.encoder.counts_per_revolution
         newest, last = self._newest, self.motion.newest()
@@ -325,14 +328,14 @@ class Processor:
         times = np.append(last.sample, times)[sample:]
         counts = np.append(newest.values[counter.row, -1], block.values[counter.row])[sample:]
         steps = counter.scale * np.diff(counts.astype(np.float64))
-        # The count restarts at the index: that is no step of the crank.
+        # The count restarts at the index, which is not a step of the crank.
         turned = np.abs((steps + turn / 2) % turn - turn / 2).sum()
-        should = self.motion.counts_in(times[-1] - times[0], BEFORE_S)
-        # The edges of the encoder leave one count unknown.
-        return bool(turned <= SLOWED_SHARE * should - 1.0)
+        expected = self.motion.counts_in(times[-1] - times[0], BEFORE_S)
+        # The resolution of the encoder is one count.
+        return bool(turned <= SLOWED_SHARE * expected - 1.0)
 
-    def _stand(self, tick: int, host_s: float) -> None:
-        """Record that no pulse has come: the device is alive, the crank is stationary."""
+    def _add_standstill(self, tick: int, host_s: float) -> None:
+        """Record a block without pulses: the device works, the crank is stationary."""
         last = self.motion.newest()
         count = self.assembler.motion.travel[1]
         if last is None or tick > last.sample:
@@ -340,7 +343,7 @@ class Processor:
             self.motion.add(None, Point(tick, count, host_s, phase))
         self.monitor.motion(self.motion.speed_rpm())
 
-    def _look(self, block: Block, n: int, ticks: NDArray[np.int64] | None) -> None:
+    def _add_motion(self, block: Block, n: int, ticks: NDArray[np.int64] | None) -> None:
         host_s = block.host_time_ns * 1e-9
         motion = self.assembler.motion
         first, last = motion.travel

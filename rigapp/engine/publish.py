@@ -1,7 +1,7 @@
-"""Hand results to viewers: bounded, oldest dropped first, never blocking.
+"""Publish results to viewers: bounded, oldest dropped first, non-blocking.
 
-A ``Subscription`` carries data for a screen, a ``NoticeStream`` the milestones of a run for a
-program that follows it. Both may be read from any thread.
+A ``Subscription`` has the data for a display, a ``NoticeStream`` the milestones of a run for a
+program. Both are thread-safe.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 class NoticeStream:
-    """Queue the milestones of a run; when full, the oldest ``Committed`` goes first."""
+    """Queue of the milestones of a run; when full, the oldest ``Committed`` is dropped first."""
 
     def __init__(self, bound: int = 4096) -> None:
         self._bound = bound
@@ -31,7 +31,7 @@ class NoticeStream:
         self.dropped = 0
 
     def put(self, notice: Notice) -> None:
-        """Add a milestone; never waits."""
+        """Add a milestone, without blocking."""
         with self._condition:
             if len(self._items) >= self._bound:
                 self._drop()
@@ -39,7 +39,7 @@ class NoticeStream:
             self._condition.notify_all()
 
     def get(self, timeout_s: float) -> Notice | None:
-        """Return the oldest milestone, or None when none came in time."""
+        """Return the oldest milestone, or None after the time-out."""
         with self._condition:
             self._condition.wait_for(lambda: bool(self._items), timeout_s)
             return self._items.popleft() if self._items else None
@@ -54,7 +54,7 @@ class NoticeStream:
 
 
 class Subscription:
-    """Collect for one viewer; data that it does not take in time are dropped, oldest first."""
+    """Data for one viewer; when full, the oldest are dropped."""
 
     def __init__(self, units: Mapping[str, str], rows: int) -> None:
         self._units = dict(units)
@@ -68,7 +68,7 @@ class Subscription:
         self.rows_dropped = 0
 
     def restart(self, first_row: int) -> None:
-        """Begin with another file and drop the rows of the last one."""
+        """Start with another file and drop the rows of the previous one."""
         with self._lock:
             self._rows.clear()
             self._predictions.clear()
@@ -78,7 +78,7 @@ class Subscription:
             self._next_row = first_row
 
     def add_row(self, row: Array, index: int, cycle: Any) -> None:
-        """Add a row, its index in the file and a maker of its whole cycle."""
+        """Add a row, its index in the file and a function that returns its complete cycle."""
         with self._lock:
             self.rows_dropped += len(self._rows) == self._rows.maxlen
             self._rows.append(row)
@@ -88,7 +88,7 @@ class Subscription:
     def add_prediction(
         self, values: Array, prediction: Prediction, profile: WornProfile | None = None
     ) -> None:
-        """Add a prediction, and a worn profile where there is a new one."""
+        """Add a prediction, and a new worn profile, if any."""
         with self._lock:
             self._predictions.append(values)
             self._prediction = prediction
@@ -96,14 +96,14 @@ class Subscription:
 
     @property
     def waits(self) -> bool:
-        """Return whether a revolution or its prediction waits to be taken."""
+        """Return whether there is a new revolution or prediction."""
         return self._cycle is not None or self._prediction is not None
 
     def take(self, status: Callable[[], Status]) -> Snapshot:
-        """Return what is new since the last call, and forget it.
+        """Remove and return the data since the last call.
 
-        status: of the engine, read after the rows were taken. The cycle is calibrated here, in the
-        caller's time.
+        status: of the engine, read after the rows. The cycle is calibrated here, in the caller's
+        thread.
         """
         with self._lock:
             rows, predictions = list(self._rows), list(self._predictions)
@@ -127,9 +127,9 @@ class Subscription:
 
 
 class Publisher:
-    """Publish to every viewer; a viewer can neither delay nor fail the engine.
+    """Publisher to all viewers; a viewer cannot delay the engine or make it fail.
 
-    units: of the columns of a row, by name and in their order.
+    units: of the columns of a row, by name, in order.
     """
 
     def __init__(self, units: Mapping[str, str]) -> None:
@@ -140,7 +140,7 @@ class Publisher:
         self.next_row = 0
 
     def subscribe(self, rows: int = 100_000) -> Subscription:
-        """Return a new bounded collection of rows, predictions and the newest cycle."""
+        """Return a new bounded subscription to rows, predictions and the latest cycle."""
         subscription = Subscription(self._units, rows)
         subscription.restart(self.next_row)
         with self._lock:
@@ -165,22 +165,22 @@ class Publisher:
             self._streams = tuple(s for s in self._streams if s is not stream)
 
     def restart(self, first_row: int) -> None:
-        """Notify every viewer of the next file."""
+        """Start another file in all subscriptions."""
         self.next_row = first_row
         for subscription in self._subscriptions:
             subscription.restart(first_row)
 
     def row(self, row: Array, cycle: Any) -> None:
-        """Publish a row that is in the file."""
+        """Publish a stored row."""
         for subscription in self._subscriptions:
             subscription.add_row(row, self.next_row, cycle)
         self.next_row += 1
 
     def prediction(self, values: Array, prediction: Prediction) -> None:
-        """Publish a prediction; its checkpoint is for the file alone."""
-        shown = msgspec.structs.replace(prediction, profile=None, checkpoint=b"")
+        """Publish a prediction, without its checkpoint, which is for the file only."""
+        published = msgspec.structs.replace(prediction, profile=None, checkpoint=b"")
         for subscription in self._subscriptions:
-            subscription.add_prediction(values, shown, prediction.profile)
+            subscription.add_prediction(values, published, prediction.profile)
 
     def notice(self, notice: Notice) -> None:
         """Publish a milestone."""

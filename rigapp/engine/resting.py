@@ -1,6 +1,6 @@
-"""The signals while the crank is stationary: zero, note before a start, rests, calibrations.
+"""Signals at standstill: zero, log entry before a start, rests, calibrations.
 
-A rest between two steps of a test begins and ends here.
+Also begins and ends the rest between two steps of a test.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ from rigapp_drivers.api import DeviceError
 Array = NDArray[np.float64]
 
 REST_SHARE = 0.4
-"""The signals at rest are averaged over this share of the time for a zero."""
+"""Averaging time of the signals at rest, relative to that of a zero."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigAtRest:
-    """The rig before a test: calibration in use, device settings, the load cell at rest (mV/V)."""
+    """Rig before a test: present calibration, device settings, load cell at rest (mV/V)."""
 
     calibration: Calibration
     devices: Mapping[str, Mapping[str, str | float | int]]
@@ -81,7 +81,7 @@ def take_zero(core: Core, rig: ConnectedRig | None, operator: str, reason: str) 
 
 
 def use_records(core: Core, connection: Connection | None, rig: Document[RigFile]) -> None:
-    """Use a rig file with the numbers of other records; see ``Engine.use_records``."""
+    """Use a rig file with the values of other records; see ``Engine.use_records``."""
     if core.state in ACTIVE:
         raise Refused("a test is running; stop it first")
     if connection is not None:
@@ -95,7 +95,7 @@ def use_records(core: Core, connection: Connection | None, rig: Document[RigFile
 
 
 def averaged(rig: ConnectedRig, seconds: float, patience_s: float) -> Averaging:
-    """Return the electrical signals (inputs,) averaged over some seconds; raise TimeoutError."""
+    """Average the electrical signals (inputs,) over a time; raise TimeoutError."""
     rate = rig.setup.sample_rate_Hz
     averaging = rig.processor.average(max(8, round(seconds * rate)))
     if not averaging.done.wait(patience_s):
@@ -104,16 +104,16 @@ def averaged(rig: ConnectedRig, seconds: float, patience_s: float) -> Averaging:
 
 
 def signals_at_rest(core: Core, rig: ConnectedRig) -> RestSignals | None:
-    """Return the load cell's signals, mV/V; None when the crank moves or no samples come."""
+    """Return the load cell's signals, mV/V; None if the crank moves or samples are missing."""
     if not rig.is_stationary():
         return None
     seconds = REST_SHARE * core.timing.zero
     try:
-        seen = averaged(rig, seconds, 2.0 * seconds * rig.slow() + 1.0)
+        averages = averaged(rig, seconds, 2.0 * seconds * rig.slow() + 1.0)
     except TimeoutError:
         return None
     pair = rig.processor.calibration.inputs_of(LOAD_CELL)
-    (first, second), (noise, other) = seen.mean[pair].tolist(), seen.noise[pair].tolist()
+    (first, second), (noise, other) = averages.mean[pair].tolist(), averages.noise[pair].tolist()
     angle = rig.processor.motion.angle_deg(time.monotonic())
     if not np.isfinite([first, second]).all():
         return None
@@ -121,7 +121,7 @@ def signals_at_rest(core: Core, rig: ConnectedRig) -> RestSignals | None:
 
 
 def note_rest(core: Core, rest: RestSignals | None, when: str = say("before the start")) -> None:
-    """Write the signals at rest into the log of the test."""
+    """Write the signals at rest to the log of the test."""
     if rest is None:
         return
     shown = f"{rest.force_1_mV_per_V:.6f}, {rest.force_2_mV_per_V:.6f}"
@@ -130,30 +130,30 @@ def note_rest(core: Core, rest: RestSignals | None, when: str = say("before the 
 
 
 def begin_rest(core: Core, rig: ConnectedRig, test: ActiveTest, rest: Rest) -> None:
-    """Note the load cell's signals at the beginning of a rest between two steps."""
+    """Log the load cell's signals at the beginning of a rest between two steps."""
     rest.signals = signals_at_rest(core, rig)
     if test.logs_steps:
         note_rest(core, rest.signals, say("at the beginning of a rest of {:g} s", rest.duration_s))
 
 
 def end_rest(core: Core, connection: Connection, test: ActiveTest, rest: Rest) -> None:
-    """Note by how much the load cell has crept in a rest, and go on with the test."""
+    """Log the creep of the load cell during a rest, and resume the test."""
     now, before = signals_at_rest(core, connection.rig), rest.signals
     if now is not None and before is not None and test.logs_steps:
-        crept = [b - a for a, b in zip(before.pair, now.pair, strict=True)]
+        creep = [b - a for a, b in zip(before.pair, now.pair, strict=True)]
         note_rest(
             core,
             now,
             say(
                 "at the end of a rest of {:g} s, in which it crept by {:+.6f}, {:+.6f} mV/V",
                 rest.duration_s,
-                crept[0],
-                crept[1],
+                creep[0],
+                creep[1],
             ),
         )
     if test.resting is not rest:
         return
-    with suppress(Refused, DeviceError):  # stopped meanwhile; a drive's refusal has ended the test
+    with suppress(Refused, DeviceError):  # stopped meanwhile; or a DeviceError has ended the test
         connection.motion.resume(test)
 
 
@@ -161,13 +161,13 @@ PERMITTED = (RunState.READY, RunState.STOPPED)
 
 
 class SignalView(msgspec.Struct, frozen=True):
-    """Carry a window of signals to a calibration.
+    """Window of signals for a calibration.
 
-    end: device sample at the end of each mean. signals: of each sampled channel, a list as long as
-    ``end``; units: of these. angle_deg: crank angle of the newest sample, None while the index has
-    not been passed. matrix, zero: the calibration in use, N per unit of the load cell and unit;
-    quadratic: its quadratic terms (2 x 3), signal unit per N^2, None without.
-    sensitivity_um_per_V, probe_offset_V: that of the probes.
+    end: device sample at the end of each mean. signals: means of each sampled channel, as many as
+    ``end``; units: of these. angle_deg: crank angle of the latest sample, None before the index.
+    matrix, zero: present calibration, N per unit of the load cell and unit; quadratic: its
+    quadratic terms (2 x 3), signal unit per N^2, None without. sensitivity_um_per_V,
+    probe_offset_V: those of the probes.
     """
 
     end: list[int]
@@ -189,9 +189,9 @@ class SignalView(msgspec.Struct, frozen=True):
 def signal_view(
     rig: ConnectedRig | None, state: RunState, window_s: float, *, simulated: bool
 ) -> SignalView:
-    """Return the signals of the last window_s (device time); raise Refused while a test runs.
+    """Return the signals of the last window_s (device time); raise Refused during a test.
 
-    The first call begins to keep them and returns an empty window.
+    The first call starts the recording and returns an empty window.
     """
     if rig is None or state not in PERMITTED:
         raise Refused(
@@ -231,10 +231,10 @@ def _quadratic(calibration: Calibration) -> list[list[float]] | None:
 
 
 def _angle_deg(rig: ConnectedRig) -> float | None:
-    """Return the crank angle from the counter itself where it restarts at the index.
+    """Return the crank angle, from the counter if that restarts at the index.
 
-    The count gives the angle of a stationary crank; the tracked phase, for a running one, may be
-    withheld after a hand has turned the crank faster than a spindle can.
+    The count is valid for a stationary crank; the tracked phase may be unknown after the crank was
+    turned by hand faster than a spindle can.
     """
     processor = rig.processor
     calibration, live = processor.calibration, processor.live

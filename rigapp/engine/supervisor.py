@@ -1,4 +1,4 @@
-"""Monitor threads, data and stops, and do the safety work of a dead thread."""
+"""Monitor threads, data and stops; replace the safety functions of a failed thread."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from rigapp.schema.messages import Ends, RunState
 from rigapp.schema.states import ACTIVE
 from rigapp.texts import say
 
-ANCHOR_S = 60.0  # drift alone parts two clocks by milliseconds in that time
-FILE_S = 1.0  # so long may a file be without its name unseen
-SPEED_LOST = 0.3  # of the target; no ripple or load is as large
-SPEED_LOST_S = 1.0  # a load passes faster
-CLOCK_JUMP_S = 1.0  # a time server slews what is less, seen over ANCHOR_S
+ANCHOR_S = 60.0  # in this time the drift of two clocks is milliseconds
+FILE_S = 1.0  # interval of the check of the file's path
+SPEED_LOST = 0.3  # of the target; larger than any ripple or effect of load
+SPEED_LOST_S = 1.0  # longer than a transient load
+CLOCK_JUMP_S = 1.0  # over ANCHOR_S; a time server slews smaller deviations
 
 WAKING_S = 0.2
-"""Granted to the other threads after the process did not run, before they are judged."""
+"""Time for the other threads after the process did not run, before they are checked."""
 
-ASK_AGAIN_S = 0.01
+RETRY_S = 0.01
 
 DID_NOT_RUN = "the engine did not run for {lost:.1f} s; this computer was suspended or overloaded"
 
 
 class Supervisor:
-    """The supervising thread's work; ``step`` checks everything once."""
+    """Checks of the supervising thread; ``step`` runs each once."""
 
     def __init__(self, core: Core, connection: Connection) -> None:
         self._core = core
@@ -46,32 +46,32 @@ class Supervisor:
         """Check everything once."""
         self._connection.rig.lateness.tick(time.monotonic(), time.thread_time(), self._waited_s)
         self._waited_s = 0.0
-        for look in (
-            self._look_at_threads,
-            self._look_at_data,
+        for check in (
+            self._check_threads,
+            self._check_data,
             self._connection.watches.look,
-            self._look_at_start,
-            self._look_at_rest,
-            self._look_at_stop,
-            self._look_at_clock,
-            self._look_at_disk,
-            self._look_at_file,
+            self._check_start,
+            self._check_rest,
+            self._check_stop,
+            self._check_clock,
+            self._check_disk,
+            self._check_file,
             self._core.alarms.look,
         ):
-            self._notice_sleep()
-            look()
+            self._detect_suspension()
+            check()
         self._pause(self._core.timing.supervise)
-        self._notice_sleep()
+        self._detect_suspension()
 
     def _pause(self, seconds: float) -> None:
         self._connection.supervise.pause(seconds)
         self._waited_s += seconds
 
-    def _notice_sleep(self) -> None:
-        """Report when the process did not run, and do not blame its threads for it.
+    def _detect_suspension(self) -> None:
+        """Report a time in which the process did not run, and exclude it from the time-outs.
 
-        It may be put to sleep between any two lines. A check that waited while the others ran is
-        no sleep: the pause of one of them must have been too long as well.
+        The process may be suspended anywhere. A check that only waited while the others ran is not
+        counted: the pause of another thread must have been too long as well.
         """
         connection, before_s, now = self._connection, self._awake_s, time.monotonic()
         self._awake_s = now
@@ -81,7 +81,7 @@ class Supervisor:
             worker.beat()
         lost, until_s = self._overslept(before_s), now + WAKING_S
         while not lost and time.monotonic() < until_s:
-            self._pause(ASK_AGAIN_S)
+            self._pause(RETRY_S)
             lost = self._overslept(before_s)
         if lost:
             self._core.event("suspended", "engine", DID_NOT_RUN.format(lost=lost))
@@ -91,16 +91,18 @@ class Supervisor:
     def _overslept(self, since_s: float) -> float:
         return max(worker.overslept(since_s) for worker in self._connection.workers)
 
-    def _look_at_threads(self) -> None:
+    def _check_threads(self) -> None:
         for worker in self._connection.workers:
             if worker.well or worker.halting or worker.name in self._silent:
                 continue
             self._silent.add(worker.name)
             if worker.error is not None:
                 continue  # the failing thread has reported itself
-            self._help(f"trip {worker.name}", partial(self._core.act_on, silent_thread(worker)))
+            self._run_helper(
+                f"trip {worker.name}", partial(self._core.act_on, silent_thread(worker))
+            )
 
-    def _look_at_data(self) -> None:
+    def _check_data(self) -> None:
         core, connection = self._core, self._connection
         age = connection.silence_s()
         if age <= core.limits.stale_data_s:
@@ -115,17 +117,17 @@ class Supervisor:
         name, port = connection.source.name, connection.source.port
         core.act_on(make_alarm("stale_data", device=name, port=port, age_s=age))
 
-    def _look_at_start(self) -> None:
+    def _check_start(self) -> None:
         core, test = self._core, self._core.test
         if test is None or core.state is not RunState.STARTING:
-            self._look_at_speed()
+            self._check_speed()
             return
         self._slow_since = None
         if time.monotonic() > test.deadline_s:
             rpm = self._connection.rig.processor.motion.speed_rpm()
             core.act_on(make_alarm("start_failed", speed_rpm=rpm, target_rpm=test.target_rpm))
 
-    def _look_at_speed(self) -> None:
+    def _check_speed(self) -> None:
         core, test, connection = self._core, self._core.test, self._connection
         rpm = connection.rig.processor.motion.speed_rpm(0.2)
         if (
@@ -139,38 +141,38 @@ class Supervisor:
         if self._slow_since is None:
             self._slow_since = now
         elif not connection.control.answering:
-            return  # its silence is the cause, and is reported by its own watch
+            return  # the missing replies are the cause, and are reported by ``DriveWatch``
         elif now - self._slow_since > SPEED_LOST_S * connection.rig.slow():
             core.act_on(make_alarm("speed_lost", speed_rpm=rpm, target_rpm=test.target_rpm))
 
-    def _look_at_rest(self) -> None:
-        """Begin the rest between two steps when the crank is stationary, and go on at its end."""
+    def _check_rest(self) -> None:
+        """Begin the rest between two steps at standstill, and resume the test at its end."""
         core, test = self._core, self._core.test
         rest = test.resting if test is not None else None
         if test is None or rest is None or core.state is not RunState.PAUSED:
             return
         if rest.since_s is None:
             rest.since_s = time.monotonic()
-            self._help("rest", partial(begin_rest, core, self._connection.rig, test, rest))
+            self._run_helper("rest", partial(begin_rest, core, self._connection.rig, test, rest))
         elif rest.left_s(self._connection.rig.pace()) == 0.0:
-            self._help("rest", partial(end_rest, core, self._connection, test, rest))
+            self._run_helper("rest", partial(end_rest, core, self._connection, test, rest))
 
-    def _look_at_stop(self) -> None:
+    def _check_stop(self) -> None:
         core, connection, timing = self._core, self._connection, self._core.timing
         test = core.test
         if core.state not in ACTIVE:
             alarms = core.alarms.alarms()
             waiting = any(alarm.active and alarm.ends is Ends.STAND for alarm in alarms)
-            seen = connection.rig.control.seen() if waiting else None
-            if seen is not None and seen.is_stationary and seen.encoder_stands:
+            evidence = connection.rig.control.seen() if waiting else None
+            if evidence is not None and evidence.is_stationary and evidence.encoder_stands:
                 core.alarms.clear_ended_by(Ends.STAND)
             return
         if test is None or core.state is not RunState.STOPPING:
             return
         if not connection.drive.well and not test.reached_standstill:
-            self._help("stop", self._stop_in_place_of_the_drive_thread)
+            self._run_helper("stop", self._stop_in_place_of_the_drive_thread)
         elif connection.rig.control.ramp_unanswered:
-            self._help("power off", partial(connection.rig.control.stop_now, True))
+            self._run_helper("power off", partial(connection.rig.control.stop_now, True))
         steps = test.sequence
         ramp = 1.5 * steps.fastest_rpm / steps.lowest_acceleration_rpm_per_s * connection.rig.slow()
         longest = ramp + timing.stop_margin + timing.coast + 4 * timing.make_safe
@@ -178,12 +180,12 @@ class Supervisor:
         if not test.reached_standstill and time.monotonic() - test.stopping_since > longest:
             core.will_not_stop(say("The stop was commanded, but the drive did not answer."))
         if core.finish_due and not connection.commit.well:
-            self._help("finish", core.finish)
+            self._run_helper("finish", core.finish)
 
     def _stop_in_place_of_the_drive_thread(self) -> None:
-        """Cut the power and monitor the spindle to its standstill; runs in a helper thread.
+        """Switch the power off and monitor the spindle to standstill; runs in a helper thread.
 
-        It ends when the drive's thread runs again: two that poll would feed the watchdog in turn.
+        Ends when the drive's thread runs again: two polling threads would both feed the watchdog.
         """
         connection = self._connection
         connection.rig.control.stop_now(off=True)
@@ -196,21 +198,21 @@ class Supervisor:
                 return
             connection.supervise.pause(0.02)
 
-    def _look_at_disk(self) -> None:
-        """Report a commit that takes long while it does."""
+    def _check_disk(self) -> None:
+        """Report a slow commit while it lasts."""
         core, since = self._core, self._core.committing_since
-        waited = time.monotonic() - since if since else 0.0
-        if waited > SLOW_DISK_S and not core.alarms.is_active("disk_slow"):
-            core.disk_slow(waited)
+        duration_s = time.monotonic() - since if since else 0.0
+        if duration_s > SLOW_DISK_S and not core.alarms.is_active("disk_slow"):
+            core.disk_slow(duration_s)
 
-    def _look_at_file(self) -> None:
-        """Check that the file still has its name, which may take long in a network folder."""
+    def _check_file(self) -> None:
+        """Check the path of the file, which may take long in a network folder."""
         now = time.monotonic()
         if now - self._file_seen_s >= FILE_S:
             self._file_seen_s = now
-            self._help("file", self._core.restore_file)
+            self._run_helper("file", self._core.restore_file)
 
-    def _look_at_clock(self) -> None:
+    def _check_clock(self) -> None:
         now, jump = time.monotonic(), self._core.clock_jump()
         jumped = abs(jump) > CLOCK_JUMP_S
         if now - self._anchored_s < ANCHOR_S and not jumped:
@@ -222,8 +224,8 @@ class Supervisor:
                 "clock", "engine", say("this computer's UTC clock jumped by {:.1f} s", jump)
             )
 
-    def _help(self, name: str, work: Callable[[], object]) -> None:
-        """Run work that may block in a thread of its own, once at a time."""
+    def _run_helper(self, name: str, work: Callable[[], object]) -> None:
+        """Run work that may block in a helper thread, one at a time for each name."""
         present = self._helpers.get(name)
         if present is not None and present.is_alive():
             return

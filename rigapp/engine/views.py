@@ -1,4 +1,4 @@
-"""Return the state of the engine at one moment."""
+"""Status of the engine."""
 
 from __future__ import annotations
 
@@ -42,29 +42,29 @@ from rigapp_calibration.load_cell.force_uncertainty import stated_uncertainty
 from rigapp_drivers.api import DeviceError, help_of
 from rigapp_drivers.edge import Guarded
 
-# The way out of a fault: which step is next, from the state and the alarms alone.
+# Recovery from a fault: the next step, determined from the state and the alarms only.
 #
-# The order is always the same: remove the cause, connect, acknowledge, reset, go on. A step that is
-# not needed is left out. Window, ``rigapp status`` and command line show this result.
+# The order is fixed: remove the cause, connect, acknowledge, reset, resume. Steps that are not
+# needed are omitted. Window, ``rigapp status`` and command line show this result.
 
 WAITING: Final = {
     RunState.CONNECTING: say("Wait: the devices are being connected."),
     RunState.STOPPING: say("Wait: the spindle is stopping and the file is being finished."),
     RunState.PAUSING: say("Wait: the crank comes to rest at the pause angle."),
 }
-"""States that pass by themselves, and their sentences."""
+"""Transient states, and their texts."""
 
 AT_REST: Final = frozenset({RunState.IDLE, RunState.READY, RunState.STOPPED, RunState.FAULT})
-"""States in which no test is open and nothing is under way."""
+"""States without an open test or a transition."""
 
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """The inputs of the next step.
+    """Inputs for the next step of a recovery.
 
-    reason: the sentence that goes with the state. connected: the devices are open and their threads
-    live. unfinished: file of the last test where it has revolutions left, else empty. not_yet: what
-    a start would have to wait for, in words, empty when nothing.
+    reason: text of the state. connected: the devices are open and their threads run. unfinished:
+    file of the last test if it has revolutions left, else empty. not_yet: text of the condition
+    that prevents a start, or empty.
     """
 
     state: RunState
@@ -75,13 +75,13 @@ class Situation:
     not_yet: str = ""
 
     def critical(self, *ends: Ends) -> list[Alarm]:
-        """Return the critical alarms that hold and end so, or without ``ends`` all on the list."""
+        """Return the active critical alarms with one of these ends, or without ``ends`` all."""
         listed = [alarm for alarm in self.alarms if alarm.severity is Severity.CRITICAL]
         return [a for a in listed if a.active and a.ends in ends] if ends else listed
 
 
 def recovery(now: Situation) -> Recovery:
-    """Return the next step of a situation, and what is left after it."""
+    """Return the next step in a situation, and the remaining steps."""
     if now.state in WAITING:
         return Recovery(sentence=WAITING[now.state])
     if now.state is RunState.PAUSED:
@@ -100,13 +100,13 @@ def recovery(now: Situation) -> Recovery:
         Remedy.RESET: bool(listed) or now.state is RunState.FAULT,
         Remedy.RESUME: True,
     }
-    left = tuple(step for step, wanted in needed.items() if wanted)
-    # What only a new connection or the drive's reset can end is not waited for.
+    left = tuple(step for step, is_needed in needed.items() if is_needed)
+    # No waiting for causes that only a new connection or the drive's reset ends.
     watched = bool(seen) and not needed[Remedy.CONNECT]
     step = next(remedy for remedy in left if remedy is not Remedy.CAUSE or watched)
     if step is Remedy.RESUME and now.not_yet:
         return Recovery(sentence=say("Wait: {}.", now.not_yet), left=left)
-    about = {
+    alarms = {
         Remedy.CAUSE: seen,
         Remedy.CONNECT: lost,
         Remedy.ACKNOWLEDGE: fresh,
@@ -115,9 +115,9 @@ def recovery(now: Situation) -> Recovery:
     return Recovery(
         step=step,
         verb=_verb(step, now),
-        sentence=_sentence(step, about, now),
+        sentence=_sentence(step, alarms, now),
         left=left,
-        cause=about[0].key if about else "",
+        cause=alarms[0].key if alarms else "",
     )
 
 
@@ -129,27 +129,27 @@ def _verb(step: Remedy, now: Situation) -> str:
     return step.value
 
 
-def _sentence(step: Remedy, about: Sequence[Alarm], now: Situation) -> str:
+def _sentence(step: Remedy, alarms: Sequence[Alarm], now: Situation) -> str:
     if step is Remedy.RESUME:
         if now.unfinished:
             name = PurePath(now.unfinished).name
             return say("Resume the test in {}, or start another one.", name)
         return say("Start a test.")
     if step is Remedy.ACKNOWLEDGE:
-        more = say(" and {} more", len(about) - 1) if len(about) > 1 else ""
-        return say('Acknowledge "{}"{}: confirm that you have seen it.', about[0].title, more)
-    if about and about[0].active and about[0].ends is not Ends.TEST:
-        return about[0].action
+        more = say(" and {} more", len(alarms) - 1) if len(alarms) > 1 else ""
+        return say('Acknowledge "{}"{}: confirm that you have seen it.', alarms[0].title, more)
+    if alarms and alarms[0].active and alarms[0].ends is not Ends.TEST:
+        return alarms[0].action
     if step is Remedy.CONNECT:
         return say("Remove the cause, then connect the devices.") if now.reason else say("Connect.")
     return say("Reset to clear the fault. Nothing will move.")
 
 
 RIG_FILE = say("rig file")
-"""Shown in place of a calibration record where there is none."""
+"""Shown without a calibration record."""
 
 RIG_LINE = say("by its line in the rig file")
-"""The same of a free channel."""
+"""Shown for a free channel without a record."""
 
 
 def build_status(
@@ -159,7 +159,7 @@ def build_status(
     opening: Devices | None = None,
     error: DeviceError | None = None,
 ) -> Status:
-    """Return the status; opening: devices that are just being connected, or were not: error."""
+    """Return the status; opening: devices being connected, or not connected because of error."""
     active, rig = core.test, core.rig.record
     live = connection.rig if connection is not None else None
     return Status(
@@ -218,7 +218,7 @@ def _test(core: Core, connection: Connection | None, active: ActiveTest) -> Test
 
 
 def _rest_left_s(connection: Connection | None, active: ActiveTest) -> float:
-    """Return the time until a test resumes after a rest, s by this computer; 0 without a rest."""
+    """Return the host time until a test resumes after a rest, s; 0 without a rest."""
     if connection is None or (rest := active.resting) is None:
         return 0.0
     pace = connection.rig.pace()
@@ -231,7 +231,7 @@ def _outcome(active: ActiveTest) -> HowEnded | None:
 
 
 def _criterion(core: Core, active: ActiveTest) -> tuple[float | None, str]:
-    """Return how far before its nearest end a test is, in percent of it, and which end that is."""
+    """Return the least remaining fraction of a stop criterion, in percent, and its name."""
     if core.state not in ACTIVE:
         return None, ""
     run = active.run
@@ -264,9 +264,9 @@ def next_step(core: Core, connection: Connection | None) -> Recovery:
 def _margin(
     core: Core, connection: Connection | None, active: ActiveTest
 ) -> tuple[float | None, str]:
-    """Return the least distance to a limit in percent, and which; of the limits judged now alone.
+    """Return the least margin to a limit in percent, and its name; of presently active limits.
 
-    Revolutions are judged at the set speed, the age of the data while a test is open.
+    Limits of revolutions are active at the set speed, that of stale data during a test.
     """
     if connection is None or core.state not in ACTIVE:
         return None, ""
@@ -288,7 +288,7 @@ def _expected_end(core: Core, connection: Connection | None, active: ActiveTest)
 
 
 def _seconds_left(active: ActiveTest) -> float:
-    """Return the test's own time to its last revolution or planned hours, without a rest now."""
+    """Return the test's time to its last revolution or planned hours, without a present rest."""
     run, stop = active.run, active.document.record.stop
     now_s = run.newest.named["time"] if run.newest is not None else run.time_offset_s
     left = [active.sequence.seconds(run.number + 1, run.planned)]
@@ -346,9 +346,9 @@ def _devices(connection: Connection | None) -> tuple[DeviceView, ...]:
 
 
 def _being_opened(devices: Devices, error: DeviceError | None) -> tuple[DeviceView, ...]:
-    """Return the devices in the order in which they are opened, ready ones as connected.
+    """Return the devices in the order of opening, ready ones as connected.
 
-    error: why they could not be connected; all are closed again then.
+    error: of the connection; all devices are closed then.
     """
     needed = (devices.source, devices.spindle)
     if error is None:
@@ -357,15 +357,15 @@ def _being_opened(devices: Devices, error: DeviceError | None) -> tuple[DeviceVi
             for device in needed
         )
     errors = {fault.device: fault for fault in error.each}
-    everyone: list[Guarded] = [*needed, *(slow for slow, _ in devices.slow)]
+    all_devices: list[Guarded] = [*needed, *(slow for slow, _ in devices.slow)]
     return tuple(
         DeviceView(**_named(devices, d, errors.get(d.name)), connected=False, needed=d in needed)
-        for d in everyone
+        for d in all_devices
     )
 
 
 def _named(devices: Devices, device: Guarded, error: DeviceError | None = None) -> dict[str, Any]:
-    """Return the fields that every device has; error: its last one."""
+    """Return the fields common to all devices; error: the last of this device."""
     identity = devices.identities.get(device.name)
     words = ("maker", "model", "firmware", "serial_number")
     return {
@@ -419,14 +419,14 @@ def _channels(core: Core, connection: Connection | None) -> tuple[ChannelView, .
     angle = connection.rig.processor.motion.angle_deg(live.host_s)
     shown = angle if angle is not None else math.nan
     views.append(ChannelView("crank_angle", live.count, "count", shown, "deg", "encoder"))
-    # One without a value is left out: older viewers expect a number.
+    # Channels without a value are omitted, as older viewers expect a number.
     return tuple(view for view in views if math.isfinite(view.value) and math.isfinite(view.raw))
 
 
 def _uncertainty(
     core: Core, calibration: Calibration, channel: Channel, force: float
 ) -> float | None:
-    """Return the expanded uncertainty of a channel's value where the calibration states it."""
+    """Return the expanded uncertainty of a channel's value, None unless stated."""
     if channel.instrument == LOAD_CELL:
         return uncertainty_of_force(core, force)
     if channel.instrument != PROBES:
@@ -436,9 +436,9 @@ def _uncertainty(
 
 
 def uncertainty_of_force(core: Core, force: float) -> float | None:
-    """Return U of a force or its component, N, where the calibration states it, noise apart.
+    """Return U of a force or its component, N, without noise; None unless stated.
 
-    force: magnitude of the whole force.
+    force: magnitude of the total force.
     """
     result = stated_uncertainty("", core.rig.record.load_cell.uncertainty_N)
     return None if result is None else float(result.at(force))

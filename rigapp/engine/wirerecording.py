@@ -1,4 +1,4 @@
-"""Where the lines of a rig's devices are recorded."""
+"""Recording of the lines of a rig's devices."""
 
 from __future__ import annotations
 
@@ -13,15 +13,14 @@ from rigapp_drivers.wire.recorder import RecordedFor, WireRecorder, record_line
 FOLDER: Final = "wire"
 SUFFIX: Final = ".wire"
 KEPT: Final = 10
-"""Recordings of a device by its rig file; older ones are deleted."""
+"""Recordings per device by the rig file; older ones are deleted."""
 
 
 class WireRecording:
-    """Which lines are recorded and where.
+    """Recordings of the devices' lines.
 
-    folder: of the rig file, whose key ``record`` puts recordings into the folder ``wire`` there.
-    file: of ``--record-wire``, which records every device, each into a file with its name; None
-    without it.
+    folder: of the rig file, whose key ``record`` records to its folder ``wire``. file: of
+    ``--record-wire``, which records all devices, each to a file with its name; None without it.
     """
 
     def __init__(self, folder: Path = Path(), file: Path | None = None) -> None:
@@ -39,7 +38,7 @@ class WireRecording:
         driver: DriverInfo,
         settings: Mapping[str, Any],
     ) -> None:
-        """Record a device's line where that is requested, else stop it."""
+        """Start recording a device's line if requested, else stop it."""
         path = self._path(device, wanted)
         header = {
             "device": device,
@@ -50,20 +49,20 @@ class WireRecording:
         }
         record_line(device, port, WireRecorder(path, header) if path is not None else None)
         before, _ = self._lines.get(device, (port, header))
-        if before != port:  # a simulated device's is another one each time
+        if before != port:  # the port of a simulated device changes each time
             record_line(device, before, None, RecordedFor.REPORT)
         self._lines[device] = port, header
         self._record_for_report(device)
 
     def begin_report(self, folder: Path, devices: Collection[str]) -> None:
-        """Record the lines of devices into a folder, too; those not open yet once they are."""
+        """Also record the lines of devices to a folder, of those not open yet after opening."""
         self.end_report()
         self._report, self._reported = folder, devices
         for device in tuple(self._lines):
             self._record_for_report(device)
 
     def end_report(self) -> None:
-        """End what ``begin_report`` began; its files are whole then."""
+        """End the recording of ``begin_report`` and complete its files."""
         self._report, recorders, self._recorders = None, self._recorders, {}
         for device, recorder in recorders.items():
             record_line(device, self._lines[device][0], None, RecordedFor.REPORT)
@@ -90,5 +89,5 @@ class WireRecording:
 
 
 def recorded_file(file: Path, device: str) -> Path:
-    """Return where ``--record-wire FILE`` keeps the line of one device."""
+    """Return the path of a device's recording for ``--record-wire FILE``."""
     return file.with_name(f"{file.stem}-{device}{file.suffix or SUFFIX}")

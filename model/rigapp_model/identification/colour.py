@@ -94,10 +94,10 @@ def _tables() -> tuple[Array, Array]:
     """
     mean, half = (np.empty((LENGTHS.size, GROUPS.size)) for _ in range(2))
     for i, length in enumerate(LENGTHS):
-        variance, covariance, decay = _group_moments(length)
+        variance, next_covariance, decay = _group_moments(length)
         for k, count in enumerate(GROUPS):
             lag = np.abs(np.subtract.outer(np.arange(count), np.arange(count)))
-            c = np.where(lag == 0, variance, covariance * decay ** np.maximum(lag - 1.0, 0.0))
+            c = np.where(lag == 0, variance, next_covariance * decay ** np.maximum(lag - 1.0, 0.0))
             line = np.linalg.qr(np.stack([np.ones(count), np.arange(count) - 0.5 * count], axis=1))[
                 0
             ]

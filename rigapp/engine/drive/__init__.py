@@ -1,1 +1,1 @@
-"""Move the spindle: stop and pause sequences, ramps, feeding the watchdog."""
+"""Control of the spindle: stop and pause sequences, ramps, feeding of the watchdog."""

@@ -1,6 +1,6 @@
-"""How the spindle is brought to a standstill: sequences of decisions, without I/O or clock.
+"""Sequences that stop the spindle: decisions only, without I/O or clock.
 
-A sequence is called again and again with the readings of drive and encoder; it returns what to do.
+A sequence is called repeatedly with the readings of drive and encoder, and returns the next step.
 """
 
 from __future__ import annotations
@@ -11,29 +11,30 @@ from dataclasses import dataclass
 
 from rigapp.texts import say
 
-STANDING_RPM = 1.0  # a drive shows less by the ripple of its own encoder
+STANDING_RPM = 1.0  # above the ripple of a drive's own encoder at standstill
 RETRY_S = 0.1
-"""Period in which a command is repeated that failed or has no effect: no drive answers faster."""
+"""Period of repetition of a failed or ineffective command: no drive replies faster."""
 IGNORED_S = 0.4
-"""A drive that has not accepted a command for so long ignores it, or cannot answer."""
+"""Time after which a drive that has not accepted a command ignores it, or cannot reply."""
 SEGMENT_S = 1.0
-"""Shortest time over which the mean speed of whole turns is taken."""
+"""Shortest segment for the mean speed of complete turns."""
 STEADY_SHARE = 0.03
-"""Change of that speed from one segment to the next below which the motor drives the crank: a crank
-that comes to rest within the coast time of 15 s loses 1/15 of its speed in the first second."""
+"""Change of speed between segments below which the motor drives the crank: a crank that comes to
+rest within the coast time of 15 s loses 1/15 of its speed in the first second."""
 STEADY_AT_REST = 3
-"""Steady segments in a row that a hand hardly turns; after a stop nobody turns by hand, and one is
-enough."""
-CREEP_RPM = 10.0  # 60 deg/s: one cycle of the drive thread is a third of a degree
+"""Consecutive steady segments that exclude turning by hand. During a stop one is enough, as nobody
+turns the crank by hand then."""
+CREEP_RPM = 10.0  # 60 deg/s: a cycle of the drive thread is a third of a degree
 CREEPING_SHARE, CREEPING_RPM = 1.15, 0.5
-"""What the crank may turn faster than creep speed by ripple and counts and creep all the same."""
+"""Factor of and addition to the creep speed up to which the crank creeps: ripple and counts."""
 
-HALF_LOOK_S = 0.0025
-"""Of the drive's cycle while it aims (``Timing.aim``): the cycle nearest to the angle is taken."""
+HALF_CYCLE_S = 0.0025
+"""Half of the drive's cycle during the approach (``Timing.aim``): selects the cycle nearest to the
+angle."""
 
 
 class DriveStep(enum.Enum):
-    """What to do now."""
+    """Next step of a sequence."""
 
     WAIT = "wait"
     RAMP_DOWN = "ramp down"
@@ -46,13 +47,13 @@ class DriveStep(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class StandstillEvidence:
-    """The readings of the spindle now.
+    """Present readings of the spindle.
 
-    drive_rpm: by the drive, None when it does not answer. encoder_rpm, encoder_stands: by the crank
-    encoder, None when its data are stale. drive_s, encoder_s: host time of the two.
-    angle_deg: crank angle now, extrapolated. deg_per_s: its change per second of host time.
-    turns: of the crank, signed, by the encoder, or by the drive while its data are stale; turns_s:
-    time for them, of the device that has counted.
+    drive_rpm: by the drive, None without a reply. encoder_rpm, encoder_stands: by the crank
+    encoder, None if its data are stale. drive_s, encoder_s: host time of the two.
+    angle_deg: present crank angle, extrapolated. deg_per_s: its change per second of host time.
+    turns: of the crank, signed, by the encoder, or by the drive if the encoder's data are stale;
+    turns_s: time of these, of the same device.
     """
 
     now_s: float
@@ -85,7 +86,7 @@ class StandstillEvidence:
 
     @property
     def moves(self) -> bool:
-        """Return whether drive or encoder shows motion; data that are too few show none."""
+        """Return whether drive or encoder show motion; insufficient data do not."""
         rpm = max(
             abs(self.drive_rpm or 0.0), 0.0 if self.encoder_stands else abs(self.encoder_rpm or 0.0)
         )
@@ -93,7 +94,7 @@ class StandstillEvidence:
 
     @property
     def witnesses(self) -> str:
-        """Return what confirms the standstill, in words."""
+        """Return a text with the devices that confirm the standstill."""
         drive, encoder = self.drive_rpm is not None, self.encoder_stands is not None
         if drive and encoder:
             return say("drive and encoder")
@@ -107,10 +108,10 @@ class StandstillEvidence:
 
 
 class SpeedTrend:
-    """Compare the mean speed of successive segments of whole turns.
+    """Comparison of the mean speed of consecutive segments of complete turns.
 
     The work of spring, weight and friction is the same in each turn, so that a crank without power
-    is slower from turn to turn, and one that the motor drives is not.
+    becomes slower from turn to turn, and one driven by the motor does not.
     """
 
     def __init__(self) -> None:
@@ -119,30 +120,30 @@ class SpeedTrend:
         self.steady = 0
 
     def add(self, turns: float, time_s: float) -> None:
-        """Take the newest turns; ``steady`` counts segments in a row without a change of speed."""
+        """Add the latest turns; ``steady`` counts consecutive segments of constant speed."""
         if self._start is None:
             self._start = turns, time_s
             return
-        turned, elapsed_s = turns - self._start[0], time_s - self._start[1]
-        if abs(turned) < 1.0 or elapsed_s < SEGMENT_S:
+        turns_made, elapsed_s = turns - self._start[0], time_s - self._start[1]
+        if abs(turns_made) < 1.0 or elapsed_s < SEGMENT_S:
             return
-        before, now = self._rev_per_s, turned / elapsed_s
-        alike = before is not None and abs(now - before) < STEADY_SHARE * abs(before)
-        self.steady = self.steady + 1 if alike else 0
+        before, now = self._rev_per_s, turns_made / elapsed_s
+        constant = before is not None and abs(now - before) < STEADY_SHARE * abs(before)
+        self.steady = self.steady + 1 if constant else 0
         self._start, self._rev_per_s = (turns, time_s), now
 
 
 class StopSequence:
-    """Stop: ramp down, confirm the standstill, take the power off; escalate when it still turns.
+    """Stop: ramp down, confirm the standstill, switch the power off; escalate if it still turns.
 
-    What counts is what the encoder shows, not what the drive has acknowledged: the power-off is
-    repeated while the crank moves. Where it stays without effect, or is not accepted, nothing is
-    sent for a while (``quiet``): what the drive receives feeds its watchdog, and only the watchdog
-    can then stop it. The same applies where only the drive reports a standstill: it may err.
-    This continues after the stop was given up, and restarts when a stationary crank begins to turn.
+    Decided by the encoder, not by the drive's acknowledgement: the power-off is repeated while the
+    crank moves. If it has no effect, or is not accepted, nothing is sent for a while (``quiet``):
+    any message feeds the drive's watchdog, and only the watchdog can then stop it. The same applies
+    if only the drive reports a standstill, which may be wrong. The sequence continues after
+    GIVE_UP, and restarts when a stationary crank begins to turn.
 
-    off: skip the ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
-    watchdog_s: the drive's watchdog time.
+    off: without ramp. ramp_s, coast_s: longest time for the ramp and for coasting without power.
+    watchdog_s: time-out of the drive's watchdog.
     """
 
     def __init__(
@@ -150,9 +151,7 @@ class StopSequence:
     ) -> None:
         self._off = off
         self._trying_since = self._repeated_from = now_s
-        self._quiet_s = (
-            2.0 * watchdog_s + 0.2
-        )  # twice: as a simulated one may take (``processclock``)
+        self._quiet_s = 2.0 * watchdog_s + 0.2  # twice, for a simulated drive (``processclock``)
         self._quiet_until = self._watchdog_from = -math.inf
         self.quiet = False
         self._off_done = False
@@ -173,14 +172,14 @@ class StopSequence:
 
     @classmethod
     def at_rest(cls, coast_s: float, watchdog_s: float) -> StopSequence:
-        """Return a finished stop, of a crank that has not been turned yet."""
+        """Return a completed stop, for a crank that has not turned yet."""
         stop = cls(True, 0.0, 0.0, coast_s, watchdog_s)
         stop.done = stop._off_done = True
         return stop
 
     @property
     def how(self) -> str:
-        """Return how the spindle came to a standstill, in words."""
+        """Return a text on how the standstill was reached."""
         if not self._off_done:
             return say("though the drive accepted no command")
         if self.ignored:
@@ -191,11 +190,11 @@ class StopSequence:
 
     @property
     def off(self) -> bool:
-        """Return whether the power is to be taken off, at once or because the ramp has failed."""
+        """Return whether the power is to be switched off, directly or after a failed ramp."""
         return self._off
 
     def ramp_unanswered(self, now_s: float) -> bool:
-        """Return whether the drive has left a ramp down unanswered for too long."""
+        """Return whether the drive has not accepted a ramp down in time."""
         waited_s = now_s - self._trying_since
         return not (self._off or self._ramp_done) and waited_s > 2.0 * IGNORED_S
 
@@ -213,7 +212,7 @@ class StopSequence:
             self._off_done = True
 
     def cut_power(self, now_s: float) -> None:
-        """Go over to the stop without power."""
+        """Change to a stop with power off."""
         if not self._off:
             self._off = True
             self._deadline = now_s + self._coast_s
@@ -221,12 +220,11 @@ class StopSequence:
             self._trend = SpeedTrend()
 
     def step(self, seen: StandstillEvidence) -> DriveStep:
-        """Return what to do now.
+        """Return the next step.
 
-        STANDING is returned once for each standstill; NO_EFFECT and GIVE_UP once, while the stop
-        continues.
+        STANDING is returned once per standstill, NO_EFFECT and GIVE_UP once; the stop continues.
         """
-        if self.done and not self._moves_again(seen):
+        if self.done and not self._restart_if_moving(seen):
             return DriveStep.WAIT
         is_stationary = seen.is_stationary and seen.later_than(self._commanded_s)
         if seen.turns is not None:
@@ -242,7 +240,7 @@ class StopSequence:
             else:
                 return DriveStep.WAIT
             self._last_try = -1e9
-        if self._doubted(is_stationary, seen):
+        if self._unconfirmed(is_stationary, seen):
             return DriveStep.WAIT
         if is_stationary and (self._off_done or seen.drive_rpm is None):
             self.witnesses = seen.witnesses
@@ -254,8 +252,8 @@ class StopSequence:
             return DriveStep.GIVE_UP
         return self._repeat(seen)
 
-    def _moves_again(self, seen: StandstillEvidence) -> bool:
-        """Begin again when a stationary crank moves that nothing may turn."""
+    def _restart_if_moving(self, seen: StandstillEvidence) -> bool:
+        """Restart the sequence if a stationary crank moves; return whether it does."""
         if not seen.moves:
             return False
         self.done, self.by_itself, self.ignored, self.unseen = False, True, False, False
@@ -264,32 +262,32 @@ class StopSequence:
         self._deadline = math.inf
         return True
 
-    def _doubted(self, is_stationary: bool, seen: StandstillEvidence) -> bool:
-        """Leave the drive to its watchdog, once, where only the drive reports a standstill.
+    def _unconfirmed(self, is_stationary: bool, seen: StandstillEvidence) -> bool:
+        """Wait once for the drive's watchdog if only the drive reports a standstill.
 
-        Its own encoder may be dead, and its acknowledgement of the power-off wrong.
+        Its own encoder may have failed, and its acknowledgement of the power-off may be wrong.
         """
         if seen.encoder_stands is not None:
             self.unseen = False
         elif is_stationary and self._off_done and not self.unseen:
             self.unseen = True
-            self._leave_to_watchdog(seen.now_s)
-            self._commanded_s = self._quiet_until  # what is seen from then on counts
+            self._wait_for_watchdog(seen.now_s)
+            self._commanded_s = self._quiet_until  # only later readings are valid
             self._deadline = max(self._deadline, self._quiet_until + SEGMENT_S)
         return self.unseen and seen.now_s < self._quiet_until
 
-    def _leave_to_watchdog(self, now_s: float) -> None:
+    def _wait_for_watchdog(self, now_s: float) -> None:
         self.quiet = True
         self._quiet_until = self._trying_since = self._repeated_from = now_s + self._quiet_s
         self._trend = SpeedTrend()
 
     def _repeat(self, seen: StandstillEvidence) -> DriveStep:
-        """Repeat the power-off, or leave the drive to its watchdog."""
+        """Repeat the power-off, or wait for the drive's watchdog."""
         now_s = seen.now_s
         self.quiet = now_s < self._quiet_until
         if self.quiet:
             return DriveStep.WAIT
-        # Seen before the last command: what follows counts.
+        # Readings from before the last command: wait for later ones.
         if seen.is_stationary and self._off_done:
             self._trying_since = now_s
             return DriveStep.WAIT
@@ -299,7 +297,7 @@ class StopSequence:
         ignored = self._off_done and too_long
         if not ignored and not self._not_accepted(False, now_s):
             return self._try(DriveStep.POWER_OFF, now_s)
-        self._leave_to_watchdog(now_s)
+        self._wait_for_watchdog(now_s)
         if not ignored:
             return DriveStep.WAIT
         self._watchdog_from = self._quiet_until + self._quiet_s
@@ -317,11 +315,10 @@ class StopSequence:
 
 
 class PauseSequence:
-    """Pause: slow down to creep speed, stop so that the crank comes to rest at the set angle.
+    """Pause: decelerate to creep speed, then stop the crank at the set angle.
 
-    deceleration_rpm_per_s: of the drive's ramp. limit_s: longest time for all of it. slow_s:
-    longest time until the crank creeps. blocked_s: longest time for which it may be stationary on
-    the way.
+    deceleration_rpm_per_s: of the drive's ramp. limit_s: longest time for the sequence. slow_s:
+    longest time until creep speed. blocked_s: longest time without motion on the way.
     """
 
     def __init__(
@@ -346,11 +343,11 @@ class PauseSequence:
 
     @property
     def creep_rpm(self) -> float:
-        """Return the speed at which the angle is approached."""
+        """Return the speed of the approach."""
         return self._creep
 
     def step(self, seen: StandstillEvidence) -> DriveStep:
-        """Return what to do now; the caller carries out every CREEP and RAMP_DOWN once."""
+        """Return the next step; the caller performs each CREEP and RAMP_DOWN once."""
         if seen.now_s > self._deadline:
             return DriveStep.GIVE_UP
         if self._phase is DriveStep.CREEP:
@@ -375,10 +372,10 @@ class PauseSequence:
     def _reached(self, seen: StandstillEvidence) -> bool:
         assert seen.angle_deg is not None
         assert seen.encoder_rpm is not None
-        # rpm^2 / (2 rpm/s) is in rev/min s: times 6 in degrees.
+        # rpm^2 / (2 rpm/s) is in rev/min s; times 6 in degrees.
         braking = 6.0 * seen.encoder_rpm**2 / (2.0 * self._deceleration)
         sense = 1.0 if seen.encoder_rpm >= 0 else -1.0
         to_go = (sense * (self._angle - seen.angle_deg) - braking) % 360.0
         before, self._before = self._before, to_go
         passed = before is not None and to_go > before + 180.0
-        return passed or to_go < abs(seen.deg_per_s) * HALF_LOOK_S
+        return passed or to_go < abs(seen.deg_per_s) * HALF_CYCLE_S

@@ -1,4 +1,4 @@
-"""Every time-out and period of the engine, in host seconds, in one place."""
+"""All time-outs and periods of the engine, in host seconds."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """Set the engine's periods and time-outs, all in seconds of the host's clock.
+    """Periods and time-outs of the engine, in seconds of the host's clock.
 
-    read: longest wait for samples. poll: drive status. aim: drive thread while it aims at the pause
-    angle or stops. commit: between two commits. supervise: between two checks of the threads.
-    silence: a thread without a heartbeat for so long is dead; silence_commit: the same for the
-    committing thread, which a slow disk may delay. queue: samples held between reader and
-    processing. standing: the encoder must show no motion for so long. stop_margin: granted to a
-    controlled stop beyond its ramp. coast: granted after the power was taken off. start_margin:
-    granted to a start beyond its ramp. zero: samples averaged for a zero. finish: closing the file.
-    make_safe: an emergency command to the drive from the supervisor. queue_age: samples of a rig in
-    real time that wait longer for the processing thread switch the drive off.
+    read: longest wait for samples. poll: period of the drive's status. aim: period of the drive
+    thread while it approaches the pause angle or stops. commit: period of commits. supervise:
+    period of the checks of the threads. silence: time-out of a thread's heartbeat; silence_commit:
+    of the committing thread, which a slow disk may delay. queue: samples buffered between reader
+    and processing. standing: time without motion of the encoder that is a standstill. stop_margin:
+    time-out of a controlled stop beyond its ramp. coast: after the power-off. start_margin: of a
+    start beyond its ramp. zero: averaging time of a zero. finish: closing the file. make_safe: an
+    emergency command to the drive from the supervisor. queue_age: longest wait of samples for the
+    processing thread in real time, beyond which the drive is switched off.
     """
 
     read: float = 0.1

@@ -1,1 +1,1 @@
-"""Judge what was measured: limits, stop criteria, alarms and their causes."""
+"""Evaluation of measured values: limits, stop criteria, alarms and their causes."""

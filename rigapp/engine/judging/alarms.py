@@ -1,10 +1,10 @@
-"""The alarm list, after ISA-18.2: what is wrong now, what was, and what the operator did.
+"""Alarm list after ISA-18.2: present and past alarms, and the operator's actions.
 
-States of an alarm: *unacknowledged* and *acknowledged* while its condition holds; *returned* when
-it went away before anyone acknowledged; *latched* when it went away but must be reset; *shelved*
-for a limited time, with a reason. A normal alarm is not on the list. Shelving hides the
-annunciation only: limits and interlocks act all the same. *First out* is the critical alarm that
-came first since the last reset; it stays so, however often it or another one comes again.
+States of an alarm: *unacknowledged* and *acknowledged* while its condition holds; *returned* if
+the condition ended before the acknowledgement; *latched* if it ended but must be reset; *shelved*
+for a limited time, with a reason. Normal alarms are not on the list. Shelving hides the
+annunciation only, not the action of limits and interlocks. *First out* is the first critical alarm
+since the last reset, also if it or another one is raised again.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from rigapp.schema.messages import Alarm, Ends, Severity
 from rigapp.schema.states import Refused
 from rigapp.texts import Sentence, joined
 
-LONGEST_SHELF_S = 12 * 3600.0  # a shift: the next one inherits no hidden alarm
+LONGEST_SHELF_S = 12 * 3600.0  # a shift, so that the next one has no hidden alarm
 
 Changed = Callable[[Alarm, AlarmChange, str], None]
-"""Called with every change: the alarm after it, what happened, and who or what did it."""
+"""Called with each change: the alarm after it, the change, and its originator."""
 
 
 @dataclass(slots=True)
@@ -63,10 +63,10 @@ class _Entry:
 
 
 class AlarmBook:
-    """Alarm list; any thread may call it.
+    """Alarm list; thread-safe.
 
-    clock: UTC seconds. on_change: called outside the lock, in the caller's thread. elapsed: seconds
-    that no change of the computer's clock shortens or lengthens, for shelving.
+    clock: UTC seconds. on_change: called outside the lock, in the caller's thread. elapsed:
+    monotonic seconds, for shelving.
     """
 
     def __init__(
@@ -80,31 +80,31 @@ class AlarmBook:
         self._on_change = on_change
         self._entries: dict[str, _Entry] = {}
         self._lock = threading.Lock()
-        self._first_out_given = False
+        self._first_out_assigned = False
         self._claimed = ""
         self._shelved = False
 
     def claim_first_out(self, cause: Cause) -> None:
-        """Let this alarm be the first-out one, if none is yet, though another may be raised before.
+        """Reserve first-out for this alarm, if it is not assigned, before it is raised.
 
-        The code that ends a test commands the drive first and raises its alarm then.
+        The end of a test commands the drive before it raises its alarm.
         """
         with self._lock:
-            if cause.kind.latched and not self._first_out_given:
-                self._first_out_given = True
+            if cause.kind.latched and not self._first_out_assigned:
+                self._first_out_assigned = True
                 self._claimed = cause.key
 
     def raise_alarm(self, cause: Cause, revolution: int = 0) -> bool:
-        """Raise an alarm, or renew its words when it is active already; True when it is new."""
+        """Raise an alarm, or update its text if it is active; return whether it is new."""
         now = self._elapsed()
         with self._lock:
             entry = self._entries.get(cause.key)
             if entry is not None and entry.active:
                 entry.cause = cause
                 return False
-            free = not self._first_out_given or self._claimed == cause.key
+            free = not self._first_out_assigned or self._claimed == cause.key
             first = cause.kind.latched and free
-            self._first_out_given |= first
+            self._first_out_assigned |= first
             self._claimed = "" if first else self._claimed
             fresh = _Entry(cause, self._clock(), revolution, first)
             if entry is not None:
@@ -112,11 +112,11 @@ class AlarmBook:
                 fresh.shelved_until = entry.shelved_until
             self._entries[cause.key] = fresh
             alarm = fresh.alarm(now)
-        self._tell("raised", alarm, "engine", first_out=first)
+        self._notify("raised", alarm, "engine", first_out=first)
         return True
 
     def clear(self, key: str) -> None:
-        """Record that the condition of an alarm has gone."""
+        """Record the end of the condition of an alarm."""
         now = self._elapsed()
         with self._lock:
             entry = self._entries.get(key)
@@ -126,7 +126,7 @@ class AlarmBook:
             alarm = entry.alarm(now)
             if entry.acknowledged and not entry.cause.kind.latched and entry.shelved_until <= now:
                 del self._entries[key]
-        self._tell("cleared", alarm, "engine")
+        self._notify("cleared", alarm, "engine")
 
     def clear_ended_by(self, *ends: Ends) -> None:
         """Clear the alarms whose conditions end in one of these ways."""
@@ -136,7 +136,7 @@ class AlarmBook:
             self.clear(key)
 
     def acknowledge(self, key: str, operator: str) -> Alarm:
-        """Acknowledge an alarm; raise Refused when there is none of that key."""
+        """Acknowledge an alarm; raise Refused for an unknown key."""
         now = self._elapsed()
         with self._lock:
             entry = self._find(key)
@@ -144,7 +144,7 @@ class AlarmBook:
             alarm = entry.alarm(now)
             if not entry.active and not entry.cause.kind.latched:
                 del self._entries[key]
-        self._tell("acknowledged", alarm, operator)
+        self._notify("acknowledged", alarm, operator)
         return alarm
 
     def shelve(self, key: str, reason: str, seconds: float, operator: str) -> Alarm:
@@ -163,31 +163,31 @@ class AlarmBook:
             entry.shelved_until = now + seconds
             self._shelved = True
             alarm = entry.alarm(now)
-        self._tell("shelved", alarm, operator, reason=reason.strip(), seconds=seconds)
+        self._notify("shelved", alarm, operator, reason=reason.strip(), seconds=seconds)
         return alarm
 
     def look(self) -> None:
-        """Show alarms again whose shelving is over; to be called now and then."""
+        """Unshelve alarms after their time; to be called periodically."""
         if not self._shelved:
             return
         now = self._elapsed()
         with self._lock:
-            over = [
+            expired = [
                 (key, entry)
                 for key, entry in self._entries.items()
                 if 0.0 < entry.shelved_until <= now
             ]
-            for key, entry in over:
+            for key, entry in expired:
                 entry.shelved_until = 0.0
                 if entry.acknowledged and not entry.active and not entry.cause.kind.latched:
                     del self._entries[key]
             self._shelved = any(entry.shelved_until > 0.0 for entry in self._entries.values())
-            back = [entry.alarm(now) for _, entry in over]
-        for alarm in back:
-            self._tell("unshelved", alarm, "engine")
+            unshelved = [entry.alarm(now) for _, entry in expired]
+        for alarm in unshelved:
+            self._notify("unshelved", alarm, "engine")
 
     def reset(self, operator: str) -> None:
-        """Take latched and returned alarms off the list.
+        """Remove latched and returned alarms from the list.
 
         Raises Refused while one is active or not acknowledged.
         """
@@ -201,13 +201,13 @@ class AlarmBook:
                     raise Refused('"{}" is not acknowledged; do that first', title)
             cleared = [entry.alarm(now) for entry in self._entries.values() if not entry.active]
             self._entries = {k: e for k, e in self._entries.items() if e.active}
-            self._first_out_given = False
+            self._first_out_assigned = False
             self._claimed = ""
         for alarm in cleared:
-            self._tell("reset", alarm, operator)
+            self._notify("reset", alarm, operator)
 
     def blocking(self) -> Alarm | None:
-        """Return a critical alarm that forbids a start, or None."""
+        """Return a critical alarm that prevents a start, or None."""
         now = self._elapsed()
         with self._lock:
             for entry in self._entries.values():
@@ -216,13 +216,13 @@ class AlarmBook:
         return None
 
     def is_active(self, key: str) -> bool:
-        """Return whether the condition of an alarm holds."""
+        """Return whether an alarm is active."""
         with self._lock:
             entry = self._entries.get(key)
             return entry is not None and entry.active
 
     def alarms(self) -> tuple[Alarm, ...]:
-        """Return the list: critical first, then the oldest first."""
+        """Return the list: critical alarms first, oldest first."""
         now = self._elapsed()
         with self._lock:
             result = [entry.alarm(now) for entry in self._entries.values()]
@@ -230,7 +230,7 @@ class AlarmBook:
             sorted(result, key=lambda a: (a.severity is not Severity.CRITICAL, a.raised_at))
         )
 
-    def _tell(
+    def _notify(
         self,
         what: What,
         alarm: Alarm,

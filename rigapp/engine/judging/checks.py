@@ -1,4 +1,4 @@
-"""Check blocks and speeds at once: largest force, saturated inputs, encoder against drive."""
+"""Immediate checks of blocks and speeds: largest force, saturated inputs, encoder and drive."""
 
 from __future__ import annotations
 
@@ -64,11 +64,11 @@ _peak_kernel = njit(
 
 
 NOTHING = np.zeros((2, 0))
-"""Weight of a pin that is not taken off."""
+"""Pin weight of a calibration without correction."""
 
 
 class PeakForce:
-    """Find the largest joint force of a block, from the samples as they came."""
+    """Largest joint force of a block, from raw samples."""
 
     def __init__(self, calibration: Calibration) -> None:
         self._rows = [calibration.rows[i] for i in calibration.inputs_of(LOAD_CELL)]
@@ -78,10 +78,10 @@ class PeakForce:
         self.needs_angle = self._own.size > 0
 
     def of(self, values: Values, turning: tuple[float, float] | None = None) -> float:
-        """Return the largest |F| of a block in N; NaN when a sample is not a number.
+        """Return the largest |F| of a block in N; NaN if a sample is NaN.
 
-        turning: count of the first sample from the index, and counts from one to the next, for what
-        the pin's weight; None where they are not known, and the weight stays in the force.
+        turning: count of the first sample from the index, and counts per sample, for the pin's
+        weight; None if unknown: then the force includes the weight.
         """
         first, second = self._rows
         own = self._own if turning is not None else NOTHING
@@ -98,56 +98,56 @@ class PeakForce:
 
 
 AT_THE_END: Final = 0.98
-"""A flagged sample belongs to every input whose signal is beyond this share of its range."""
+"""Share of its range beyond which an input is a cause of a flagged sample."""
 
 STAYS_S: Final = 0.1
-"""An input counts as saturated after so long without a sound sample: a spike does not."""
+"""Duration after which an input counts as saturated; excludes spikes."""
 
 FLAG: Final = int(Quality.SATURATED)
-"""The flag as a plain number: numpy checks an enumeration for its protocols at every use."""
+"""The flag as int: numpy checks an enumeration for its protocols at each use."""
 
 BACK_S: Final = 0.5
-"""It counts as sound again after so long without a saturated one."""
+"""Time without a saturated sample after which an input is valid again."""
 
 
 class SaturationWatch:
-    """Follow the inputs of one connection, block by block."""
+    """Saturation of the inputs of one connection, block by block."""
 
     def __init__(self, calibration: Calibration) -> None:
         self._names = calibration.names
         self._stays = max(1, round(STAYS_S * calibration.sample_rate_Hz))
         self._back = max(1, round(BACK_S * calibration.sample_rate_Hz))
         self._full = [0] * len(self._names)
-        self._sound = [0] * len(self._names)
-        self._calm = True
+        self._valid_samples = [0] * len(self._names)
+        self._all_valid = True
         self.inputs: frozenset[str] = frozenset()
 
     def mark(self, inputs: Iterable[str]) -> None:
-        """Count inputs as saturated at once."""
+        """Mark inputs as saturated immediately."""
         self.inputs |= frozenset(inputs)
-        self._calm = False
+        self._all_valid = False
 
     def look(self, full: NDArray[np.bool_] | None, samples: int) -> bool:
-        """Take a block, ``full_samples`` of it; return whether ``inputs`` has changed."""
+        """Add the ``full_samples`` of a block; return whether ``inputs`` has changed."""
         if full is None:
-            if self._calm:
+            if self._all_valid:
                 return False
             full = np.zeros((len(self._names), samples), np.bool_)
         for i, row in enumerate(full):
             self._full[i] = _trailing(row, self._full[i])
-            self._sound[i] = _trailing(~row, self._sound[i])
+            self._valid_samples[i] = _trailing(~row, self._valid_samples[i])
         before = self.inputs
         for i, name in enumerate(self._names):
             if self._full[i] >= self._stays:
                 self.inputs |= {name}
-            elif self._sound[i] >= self._back:
+            elif self._valid_samples[i] >= self._back:
                 self.inputs -= {name}
-        self._calm = not self.inputs and not any(self._full)
+        self._all_valid = not self.inputs and not any(self._full)
         return self.inputs != before
 
 
 def full_samples(block: Block, calibration: Calibration) -> NDArray[np.bool_] | None:
-    """Return where each input is saturated, (inputs, samples); None where none is flagged."""
+    """Return flags of the saturated samples, (inputs, samples); None if none is flagged."""
     if not np.bitwise_or.reduce(block.quality) & FLAG:
         return None
     share = np.abs(calibration.signals(block.values)) / calibration.ranges[:, None]
@@ -155,42 +155,42 @@ def full_samples(block: Block, calibration: Calibration) -> NDArray[np.bool_] | 
 
 
 def _trailing(condition: NDArray[np.bool_], before: int) -> int:
-    """Return for how many samples up to the last one a condition has held."""
+    """Return the number of samples up to the last one for which a condition has held."""
     broken = np.flatnonzero(~condition)
     if broken.size == 0:
         return int(before + condition.size)
     return int(condition.size - 1 - broken[-1])
 
 
-# Compare, once after every start, the crank's speed by its encoder and by the drive.
+# Comparison of the crank's speed by its encoder and by the drive, once after each start.
 #
-# A gear ratio, a number of counts or a belt that differs from the rig file shows here and
-# nowhere else: the drive holds its own speed, and every revolution looks whole. In a
-# ramp both speeds are of different moments: there only a difference counts that no lateness
-# explains, so that a test is also judged that ends before it reaches its set speed.
+# Only this detects a gear ratio, a number of counts or a belt that differs from the rig file: the
+# drive holds its own speed, and all revolutions appear complete. In a ramp the two speeds are of
+# different times: there only a difference beyond that of the delay counts, so that a test that ends
+# before its set speed is checked as well.
 
 AGREE: Final = 0.1
-"""Share of the set speed within which both must agree; ripple and age of the drive's answer
-stay well below at a steady speed, a wrong gear or pulley does not."""
+"""Tolerance of the difference, relative to the set speed; above the ripple and the effect of the
+age of the drive's reply at constant speed, below that of a wrong gear or pulley."""
 
 LATE_S: Final = 0.5
-"""How far apart the moments of two speeds of a ramp may be, of the rig's time: the drive is polled
-each 0.1 s and filters its speed over some of that, and the encoder's is a mean over 0.1 s."""
+"""Largest difference in time of the two speeds of a ramp, of the rig's time: the drive is polled
+every 0.1 s and filters its speed over part of that, and the encoder's is a mean over 0.1 s."""
 
 RAMP_FROM: Final = 0.25
-"""Share of the set speed from which a ramp is judged: below, a drive's speed is a few counts."""
+"""Share of the set speed from which a ramp is checked; below, a drive's speed is a few counts."""
 
 ANSWERS: Final = 5
-"""Answers of the drive in a row that decide: one may be as old as the ramp, five may not."""
+"""Consecutive replies of the drive that decide: one may be as old as the ramp, not five."""
 
 
 TURNING: Final = 0.5
-"""Share of the set speed that the encoder must show: without any motion it is lost, not wrong."""
+"""Least share of the set speed shown by the encoder; without motion it has failed instead."""
 
 
 @dataclass(slots=True)
 class SpeedComparison:
-    """The comparison since the last start; undecided until enough answers in a row agree."""
+    """Comparison since the last start; undecided until enough consecutive replies agree."""
 
     decided: bool = True
     last_answer_s: float = 0.0
@@ -198,7 +198,7 @@ class SpeedComparison:
     differed: int = 0
 
     def begin(self) -> None:
-        """Start the comparison again with the drive's next answer."""
+        """Restart the comparison with the drive's next reply."""
         self.decided = False
         self.agreed = self.differed = 0
 
@@ -210,11 +210,11 @@ class SpeedComparison:
         target_rpm: float,
         late_rpm: float | None = None,
     ) -> bool:
-        """Take both speeds, rpm; True once, when enough answers in a row differ.
+        """Add both speeds, rpm; return True once, after enough consecutive replies that differ.
 
-        answered_s: when the drive answered; an answer counts once. A speed that is no number, of a
-        drive that measures none, agrees with every other. late_rpm: by how much a ramp changes the
-        speed within ``LATE_S``, None at the set speed; agreement in a ramp decides nothing.
+        answered_s: time of the drive's reply; each reply counts once. NaN, from a drive without a
+        measured speed, agrees with any speed. late_rpm: change of speed by a ramp within
+        ``LATE_S``, None at the set speed; agreement in a ramp does not decide.
         """
         if self.decided or answered_s == self.last_answer_s:
             return False
@@ -236,7 +236,7 @@ class SpeedComparison:
 
 
 def direction_mismatch(encoder_back: bool, drive_back: bool, directions: tuple[int, int]) -> str:
-    """Return what to do when encoder or drive show the crank turning backwards.
+    """Return a text with the remedy if encoder or drive show the crank turning backwards.
 
     directions: present values of encoder.direction and spindle.direction.
     """

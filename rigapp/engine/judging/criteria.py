@@ -1,12 +1,12 @@
-"""What ends a test before its last revolution: the criteria of ``[stop]``, judged per revolution.
+"""Stop criteria of ``[stop]``, evaluated per revolution.
 
-Only judged revolutions count: whole ones at the set speed. A revolution without a value (NaN, no
-answer of the twin) is left out: it fulfils nothing and interrupts nothing. A criterion that has had
-no value for ``NO_DATA_REVOLUTIONS`` judged revolutions has *no data*, which raises an alarm.
+Evaluated revolutions are the complete ones at the set speed. A revolution without a value (NaN, no
+prediction by the twin) is skipped: it neither fulfils nor interrupts. A criterion without a value
+for ``NO_DATA_REVOLUTIONS`` evaluated revolutions has *no data*, which raises an alarm.
 
-Elapsed time is the column ``time``, with pauses and interruptions; running time is the time in
-which the crank turned. Wear depth and wear rate are judged where the twin answers, by the number
-that goes into the file and onto the screen: the column ``measured_wear_depth``.
+Elapsed time is the column ``time``, including pauses and interruptions; running time is the time
+in which the crank turned. Wear depth and wear rate are evaluated with the twin's prediction, by the
+value that is stored and displayed: the column ``measured_wear_depth``.
 """
 
 from __future__ import annotations
@@ -28,31 +28,32 @@ from rigapp.schema.messages import NOT_STEADY
 
 Array = NDArray[np.float64]
 
-NO_DATA_REVOLUTIONS = 200  # some minutes at usual speeds: a sensor that fails, not a hiccup
+NO_DATA_REVOLUTIONS = 200  # some minutes at usual speeds: a failed sensor, not a short dropout
 RATE_BINS = 50
-"""Number of equal parts of the window; the wear rate is the slope through their means."""
+"""Bins of the window; the wear rate is the slope through their means."""
 
 LEAST_BINS = 3
-"""The scatter of a slope through fewer means cannot be seen."""
+"""Fewest means of a slope; with fewer its scatter is unknown."""
 
 FILLED_SHARE = 0.8
-"""Of the window, from its first to its last mean: a slope over less is not that of the window."""
+"""Least distance from the first to the last mean, relative to the window."""
 
-MOST_UNJUDGED = 1024
-"""Revolutions whose prediction is awaited; a twin so far behind is reported elsewhere."""
+MOST_UNEVALUATED = 1024
+"""Stored revolutions without evaluation, for later predictions; a twin this late is reported
+elsewhere."""
 
 HISTORY_COLUMNS = ("revolution", "speed", "quality")
-"""Columns that a criterion needs of the rows of an earlier segment."""
+"""Columns of the rows of earlier runs that criteria need."""
 
 DEPTH_COLUMNS = ("revolution", "measured_wear_depth")
-"""Columns that a criterion needs of the predictions of an earlier segment."""
+"""Columns of the predictions of earlier runs that criteria need."""
 
 NOTHING = np.empty((2, 0))
 
 
 @dataclass(frozen=True, slots=True)
 class CriterionMet:
-    """A criterion that is met. planned: an end as planned (complete), else a limit."""
+    """A met criterion. planned: a planned end (complete), else a limit."""
 
     name: str
     sentence: str
@@ -60,7 +61,7 @@ class CriterionMet:
 
 
 class _Rate:
-    """The slope of the wear depth over a window of revolutions, by least squares over bins."""
+    """Slope of the wear depth over a window of revolutions, by least squares over bins."""
 
     def __init__(self, window: int) -> None:
         self._width = max(1, window // RATE_BINS)
@@ -71,7 +72,7 @@ class _Rate:
         self._sum = np.zeros(3)
 
     def add(self, number: int, depth_um: float) -> float | None:
-        """Add a revolution; return the rate (um per 1000 revolutions) when a new one is known."""
+        """Add a revolution; return a new rate (um per 1000 revolutions) at the end of a bin."""
         result = None
         bin_index = number // self._width
         if bin_index != self._bin:
@@ -83,7 +84,7 @@ class _Rate:
         return result
 
     def _slope(self, number: int) -> float | None:
-        """Return the slope when the window is filled for at least half, from end to end."""
+        """Return the slope if at least half of the bins are filled, from end to end."""
         points = [point for point in self._bins if point[0] > number - self._window - self._width]
         if len(points) < max(LEAST_BINS, self._needed // 2):
             return None
@@ -95,7 +96,7 @@ class _Rate:
 
 
 class _Watched:
-    """A criterion in use: its level, and how many evaluated revolutions in a row must meet it."""
+    """A set criterion, with its level and the consecutive evaluated revolutions that meet it."""
 
     def __init__(self, criterion: Criterion, level: float, stop: StopSection) -> None:
         self.criterion = criterion
@@ -115,7 +116,7 @@ class _Watched:
         """Evaluate a revolution's value; an unknown one neither fulfils nor interrupts."""
         criterion = self.criterion
         value: float | None = criterion.value(at)
-        # One that is infinite far from the level is known: nothing wears, so nothing ends it.
+        # Infinity on the far side of the level is a known value: without wear the test never ends.
         endless = math.inf if criterion.falls else -math.inf
         if value is None or not (math.isfinite(value) or value == endless):
             return None
@@ -140,32 +141,34 @@ class _Watched:
 
 
 class StopMonitor:
-    """Evaluate revolutions by ``[stop]``; rows and predictions each come from one thread."""
+    """Evaluation of revolutions by ``[stop]``; one thread each for rows and predictions."""
 
     def __init__(self, stop: StopSection) -> None:
         self._stop = stop
         self._last = 0
         self.running_h = 0.0
-        self._not_evaluated: deque[int] = deque(maxlen=MOST_UNJUDGED)
+        self._not_evaluated: deque[int] = deque(maxlen=MOST_UNEVALUATED)
         watched = [_Watched(CRITERIA[key], level, stop) for key, level in levels(stop).items()]
-        self._seen = {sight: [w for w in watched if w.criterion.sight is sight] for sight in Sight}
-        self._evaluated = self._seen[Sight.ROW] + self._seen[Sight.PREDICTION]
+        self._by_sight = {
+            sight: [w for w in watched if w.criterion.sight is sight] for sight in Sight
+        }
+        self._evaluated = self._by_sight[Sight.ROW] + self._by_sight[Sight.PREDICTION]
         self._rates = [w.rate for w in watched if w.rate is not None]
 
     @property
     def any(self) -> bool:
-        """Return whether anything beside the number of revolutions ends the test."""
-        return any(self._seen.values())
+        """Return whether any criterion besides the number of revolutions is set."""
+        return any(self._by_sight.values())
 
     def recent(self, last: int) -> int:
-        """Return the revolution after which depths of an earlier segment still count."""
+        """Return the revolution after which depths of earlier runs are used."""
         return last - 2 * self._stop.wear_rate_window_revolutions
 
     def remember(self, rows: Iterable[Array], last: int, depths: Array = NOTHING) -> None:
-        """Add an earlier segment: its rows, (len(HISTORY_COLUMNS), n) each, in order.
+        """Add earlier runs: their rows, (len(HISTORY_COLUMNS), n) each, in order.
 
-        last: number of the last of them; depths: (len(DEPTH_COLUMNS), n), mm. What must come in a
-        row begins afresh.
+        last: their last revolution; depths: (len(DEPTH_COLUMNS), n), mm. Counts of consecutive
+        revolutions restart.
         """
         recent = self.recent(last)
         left_out: set[int] = set()
@@ -184,7 +187,7 @@ class StopMonitor:
                     rate.add(int(revolution), 1e3 * depth)
 
     def row(self, row: Array) -> CriterionMet | None:
-        """Evaluate a row, ordered as ``ChannelTable.names``; return the criterion that it met."""
+        """Evaluate a row in the order of ``ChannelTable.names``; return a met criterion."""
 
         def at(name: str) -> float:
             return float(row[BASE.place[name]])
@@ -202,36 +205,36 @@ class StopMonitor:
         return self._first(Sight.ROW, number, at)
 
     def judges(self, number: int) -> bool:
-        """Return whether the prediction of a revolution counts: whole and at the set speed."""
+        """Return whether a revolution is evaluated: complete and at the set speed."""
         return number not in self._not_evaluated and number > self._stop.hold_off_revolutions
 
     def prediction(self, number: int, values: Mapping[str, float]) -> CriterionMet | None:
-        """Evaluate the twin's answer: its columns by name, see ``prediction_columns``."""
+        """Evaluate a prediction: its columns by name, see ``prediction_columns``."""
         if not self.judges(number):
             return None
         return self._first(Sight.PREDICTION, number, values.__getitem__)
 
     def over(self, time_s: float) -> CriterionMet | None:
-        """Return the planned end that a test has reached at this time of the test, if any."""
+        """Return the planned end at this time of the test, if any."""
         clocks = {"time": time_s, "running_time": self.running_h}
         return self._first(Sight.CLOCK, self._last, clocks.__getitem__)
 
     def of_depth(self) -> list[str]:
-        """Return the criteria that are set and follow from the measured wear depth."""
+        """Return the set criteria that depend on the measured wear depth."""
         return [w.criterion.key for w in self._evaluated if w.criterion.of_depth]
 
     def no_data(self) -> list[str]:
-        """Return the criteria that have had no value for too long."""
+        """Return the criteria without a value for too long."""
         return [w.criterion.key for w in self._evaluated if w.since_value >= w.patience]
 
     def nearest(self) -> tuple[float, str]:
-        """Return how far before the nearest criterion it is, in percent of it, and its title.
+        """Return the distance to the nearest criterion, in percent of its level, and its title.
 
-        Infinite and unnamed while nothing is known of any.
+        Infinity and an empty title before the first value.
         """
         known = [
             (watched.left_percent, watched.criterion.title)
-            for seen in self._seen.values()
+            for seen in self._by_sight.values()
             for watched in seen
             if math.isfinite(watched.left_percent)
         ]
@@ -239,7 +242,7 @@ class StopMonitor:
 
     def _first(self, sight: Sight, number: int, at: At) -> CriterionMet | None:
         result: CriterionMet | None = None
-        for watched in self._seen[sight]:
+        for watched in self._by_sight[sight]:
             met = watched.look(number, at)
             result = result or met
         return result

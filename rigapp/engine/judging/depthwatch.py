@@ -1,9 +1,9 @@
-"""Whether the measured wear depth can be believed: worn material does not come back.
+"""Plausibility of the measured wear depth: wear does not decrease.
 
-Each depth is compared with the specimen's last known one, at first that of its last test or of the
-part before an interruption, then the mean of every ``BIN`` revolutions. What differs by more than
-both uncertainties and more than the bushing wears meanwhile is a jump; what lies below the deepest
-mean so far falls; below a new bushing's there is nothing. From then on the depth judges nothing.
+Each depth is compared with the last known one of the specimen, at first that of its last test or
+run, then the mean of each ``BIN`` revolutions. A difference beyond both uncertainties and the wear
+since then is a jump; a depth below the deepest mean is a fall; a negative depth is impossible.
+After any of these the depth is no longer used for criteria.
 """
 
 from __future__ import annotations
@@ -17,23 +17,23 @@ from rigapp.schema.criteria import CRITERIA
 from rigapp.texts import say
 
 BIN = 10
-"""Revolutions of a mean: they wear less than its uncertainty but where the joint runs in."""
+"""Revolutions per mean: except in running-in, their wear is less than its uncertainty."""
 
 STAYS = 3
-"""Revolutions in a row until a depth counts as another one: one may be a chip or a knock."""
+"""Consecutive revolutions that confirm a changed depth: one may be a chip or a knock."""
 
 MODEL_FACTOR = 10.0
-"""Largest plausible ratio of measured to predicted wear: the coefficient is uncertain."""
+"""Largest ratio of the wear to that of the model, whose coefficient is uncertain."""
 
 DEPTH_COLUMNS = tuple(sorted({name for rule in CRITERIA.values() for name in rule.of_depth}))
-"""Columns of a prediction that follow from the measured depth."""
+"""Columns of a prediction that depend on the measured depth."""
 
 
 @dataclass(frozen=True, slots=True)
 class KnownDepth:
-    """A depth that was believed, with its expanded uncertainty (k = 2), um.
+    """Plausible depth with its expanded uncertainty (k = 2), um.
 
-    model: wear by the model under the measured forces then, um; when: in words.
+    model: wear by the model under the measured forces until then, um; when: as text.
     """
 
     depth: float
@@ -43,10 +43,10 @@ class KnownDepth:
 
 
 class DepthWatch:
-    """Check the measured depth of every judged revolution of a test.
+    """Check of the measured depth of each evaluated revolution of a test.
 
-    last: the specimen's last known depth, None for a new one. remark: why the depth is not to be
-    believed, in a sentence, empty while it is.
+    last: last known depth of the specimen, None if new. remark: why the depth is not plausible, or
+    empty.
     """
 
     def __init__(self, last: KnownDepth | None = None) -> None:
@@ -59,11 +59,11 @@ class DepthWatch:
 
     @property
     def doubtful(self) -> bool:
-        """Return whether the newest depth is not to be judged by."""
+        """Return whether the latest depth must not be used for criteria."""
         return bool(self.remark or self._in_a_row or self._negative)
 
     def look(self, number: int, values: Mapping[str, float]) -> Iterator[Cause]:
-        """Yield what is to be raised; values: the columns of a prediction by name."""
+        """Yield the alarms to raise; values: the columns of a prediction by name."""
         names = ("measured_wear_depth", "measured_wear_depth_uncertainty", "driven_wear_depth")
         depth, doubt, model = (1e3 * values[name] for name in names)
         if not (math.isfinite(depth) and math.isfinite(doubt)):
@@ -77,23 +77,23 @@ class DepthWatch:
         elif self._in_a_row >= STAYS:
             self._last = self._deepest = now
             self._sum, self._count, self._in_a_row = [0.0, 0.0], 0, 0
-            yield self._unbelieved(cause)
+            yield self._implausible(cause)
         if self._negative == STAYS and not self.remark:
-            yield self._unbelieved(make_alarm("wear_negative", depth_um=depth, doubt_um=doubt))
+            yield self._implausible(make_alarm("wear_negative", depth_um=depth, doubt_um=doubt))
 
-    def _unbelieved(self, cause: Cause) -> Cause:
+    def _implausible(self, cause: Cause) -> Cause:
         self.remark = self.remark or say("The wear depth is not reliable. {}", cause.sentence)
         return cause
 
     def _differs(self, now: KnownDepth) -> Cause | None:
-        """Return how a depth contradicts what was known, None where it does not."""
+        """Return an alarm if a depth contradicts the known ones, else None."""
         last, deepest = self._last, self._deepest
         if last is None or deepest is None:
             return None
-        grown = now.model - last.model
-        grown = max(grown, 0.0) if math.isfinite(grown) else 0.0
+        model_wear = now.model - last.model
+        model_wear = max(model_wear, 0.0) if math.isfinite(model_wear) else 0.0
         change, doubt = now.depth - last.depth, math.hypot(now.uncertainty, last.uncertainty)
-        if not -doubt <= change <= doubt + MODEL_FACTOR * grown:
+        if not -doubt <= change <= doubt + MODEL_FACTOR * model_wear:
             return _depth_alarm(last, now, doubt, jumped=True)
         doubt = math.hypot(now.uncertainty, deepest.uncertainty)
         if now.depth < deepest.depth - doubt:
@@ -101,7 +101,7 @@ class DepthWatch:
         return None
 
     def _add(self, now: KnownDepth) -> None:
-        """Take a believed depth into the mean; a full one is what the next are compared with."""
+        """Add a plausible depth to the mean; a complete mean is the next reference."""
         self._sum[0] += now.depth
         self._sum[1] += now.uncertainty
         self._count += 1

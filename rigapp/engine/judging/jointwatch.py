@@ -1,7 +1,7 @@
-"""Warnings about the joint that follow from the twin's answers, whatever the test file limits.
+"""Warnings about the joint from the twin's predictions, independent of the test file's limits.
 
-The pairing of materials leaves the range that was given for it; the joint wears otherwise than
-before. Nothing here ends a test.
+The pairing of materials is outside its stated range, or the wear of the joint has changed. They do
+not end a test.
 """
 
 from __future__ import annotations
@@ -15,46 +15,46 @@ from rigapp.schema.units import stem_of, unit_of_key
 from rigapp.texts import say
 
 STAYS = 20
-"""Revolutions in a row until a pairing counts as beyond its range, or as back in it: what heat does
-to it takes minutes, and one revolution's maximum is a sample with its noise."""
+"""Consecutive revolutions until a pairing is outside its range, or inside again: effects of heat
+take minutes, and the maximum of one revolution is noisy."""
 
 
 class JointWatch:
-    """Check every prediction of a test; see ``look``."""
+    """Check of each prediction of a test; see ``look``."""
 
     def __init__(self, pairing: PairingSection | None = None) -> None:
         self._pairing = pairing or PairingSection()
         self._in_a_row = 0
-        self._left = False
-        self._told = math.nan
+        self._outside = False
+        self._reported_since = math.nan
 
     def look(self, values: Mapping[str, float]) -> Iterator[Cause | str]:
-        """Yield what is to be raised, and the keys of alarms whose condition is over.
+        """Yield the alarms to raise, and the keys of alarms to clear.
 
         values: the columns of a prediction by name.
         """
         beyond = self._beyond(values)
-        # An unknown value does not show that the pairing is back.
+        # An unknown value does not show that the pairing is inside its range again.
         known = bool(beyond) or all(math.isfinite(value) for value in self._with_level(values))
-        self._in_a_row = self._in_a_row + 1 if known and bool(beyond) != self._left else 0
+        self._in_a_row = self._in_a_row + 1 if known and bool(beyond) != self._outside else 0
         if self._in_a_row >= STAYS:
-            self._in_a_row, self._left = 0, bool(beyond)
+            self._in_a_row, self._outside = 0, bool(beyond)
             yield make_alarm("pairing_left", sentence=beyond) if beyond else "pairing_left"
         since = values["wear_departure_revolution"]
-        # One of an earlier test of the specimen was reported then.
-        if since > 0.0 and since != self._told:
-            self._told = since
+        # A departure in an earlier test of the specimen was reported in that test.
+        if since > 0.0 and since != self._reported_since:
+            self._reported_since = since
             how = say("faster") if values["wear_consistency"] > 0.0 else say("more slowly")
             yield make_alarm("wears_otherwise", since=since, how=how)
 
     def _with_level(self, values: Mapping[str, float]) -> Iterator[float]:
-        """Yield the values that have a level."""
+        """Yield the values with a level."""
         for key in self._pairing.__struct_fields__:
             if getattr(self._pairing, key) is not None:
                 yield values[f"{stem_of(key).rpartition('_')[0]}_max"]
 
     def _beyond(self, values: Mapping[str, float]) -> str:
-        """Return which level of the pairing is passed, empty for none."""
+        """Return a text with the exceeded level of the pairing, or an empty text."""
         for key in self._pairing.__struct_fields__:
             level = getattr(self._pairing, key)
             quantity, _, side = stem_of(key).rpartition("_")

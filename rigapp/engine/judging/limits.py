@@ -1,4 +1,4 @@
-"""The rules of a test: two levels on a quantity of the revolution, with hysteresis and delay."""
+"""Rules of a test: levels of a quantity of the revolution, with hysteresis and delay."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rigapp.texts import joined, say
 
 @dataclass(frozen=True, slots=True)
 class LevelPassed:
-    """A level that was passed (``active``), or whose value came back."""
+    """An exceeded level (``active``), or the return of its value."""
 
     cause: Cause
     active: bool
@@ -30,7 +30,7 @@ class LevelPassed:
 
 @dataclass(slots=True)
 class _Watch:
-    """One level of one rule. steps: of the test, in which it is judged; all without any."""
+    """One level of one rule. steps: of the test, in which it is evaluated; empty: all."""
 
     quantity: str
     severity: Severity
@@ -46,15 +46,15 @@ class _Watch:
     since_s: float | None = None
 
     def known(self, value: float | None) -> TypeGuard[float]:
-        """Return whether a value can be judged: a number, or one that is infinitely far beyond."""
+        """Return whether a value can be evaluated: finite, or infinite beyond the level."""
         return value is not None and (
             math.isfinite(value) or value == (math.inf if self.above else -math.inf)
         )
 
     def without_value_s(self, values: Mapping[str, float]) -> float | None:
-        """Return for how long there was no value, s; None while there is a whole one.
+        """Return the time without a value, s; None with a complete one.
 
-        The mean of a revolution is NaN when one of its samples was.
+        The mean of a revolution is NaN if one of its samples is.
         """
         value = values[self.quantity]
         mean = values.get(f"{self.quantity.rpartition('_')[0]}_mean", 0.0)
@@ -69,13 +69,13 @@ class _Watch:
         return time_s - self.since_s
 
     def cause(self, value: float) -> Cause:
-        """Return the alarm that a value raises or ends."""
+        """Return the alarm that a value raises or clears."""
         return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
 
     def look_for_value(self, age_s: float | None) -> LevelPassed | None:
-        """Return the change where a value to judge is missing or back.
+        """Return a change if the value goes missing or returns.
 
-        age_s: of a value that is missing; None while there is one.
+        age_s: of a missing value; None with a value.
         """
         missing = age_s is not None and age_s >= slow.SILENT_S
         if missing == self.missing:
@@ -87,16 +87,16 @@ class _Watch:
         return LevelPassed(cause, missing, self.action)
 
     def judges(self, step: int) -> bool:
-        """Return whether it is judged in a step of the test."""
+        """Return whether the level is evaluated in a step of the test."""
         return not self.steps or step in self.steps
 
     def leave(self) -> bool | None:
-        """Forget the values before another step; False when the level was passed then."""
+        """Reset at another step; return False if the level was exceeded, else None."""
         passed, self.active, self.beyond = self.active, False, 0
         return False if passed else None
 
     def look(self, value: float) -> bool | None:
-        """Return True when the level is passed for good, False when the value came back."""
+        """Return True if the level is exceeded after the delay, False on return, else None."""
         sign = 1 if self.above else -1
         excess = sign * (value - self.limit)
         if self.active:
@@ -139,7 +139,7 @@ def _watches(rules: Iterable[LimitRule]) -> list[_Watch]:
 
 
 class RuleMonitor:
-    """Evaluate every revolution by the rules; called by one thread."""
+    """Evaluation of each revolution by the rules; for one thread."""
 
     def __init__(self, rules: Iterable[LimitRule], table: ChannelTable | None = None) -> None:
         self._table = table
@@ -147,35 +147,34 @@ class RuleMonitor:
         self.replace(rules)
 
     def replace(self, rules: Iterable[LimitRule]) -> None:
-        """Replace the rules from the next revolution on; raise UnusableInput.
+        """Use other rules from the next revolution on; raise UnusableInput.
 
-        A level keeps its count of revolutions.
+        Unchanged levels keep their count of revolutions.
         """
         rules = tuple(rules)
         check_rules(rules, self._table)
-        former = {(w.quantity, w.severity, w.above, w.steps): w for w in self._watches}
+        previous = {(w.quantity, w.severity, w.above, w.steps): w for w in self._watches}
         watches = _watches(rules)
         for watch in watches:
-            before = former.get((watch.quantity, watch.severity, watch.above, watch.steps))
+            before = previous.get((watch.quantity, watch.severity, watch.above, watch.steps))
             if before is not None:
                 watch.beyond, watch.active = before.beyond, before.active
                 watch.missing, watch.since_s = before.missing, before.since_s
         self.rules, self._watches = rules, watches
 
     def judge(self, values: Mapping[str, float], step: int = 0) -> list[LevelPassed]:
-        """Return what changed with these values; quantities that are not among them are skipped.
+        """Return the changes of levels with these values; other quantities are skipped.
 
-        One without a value, or whose samples are no numbers, for longer than a slow value may be
-        old is a change too: its limit then protects nothing.
-        step: of the test, in which they were measured. What a level of another step has found is
-        over.
+        Also a change: no value, or NaN samples, for longer than the largest age of a slow value, as
+        the limit is then without effect. step: of the test in which the values were measured;
+        levels of other steps are reset.
         """
         result: list[LevelPassed] = []
         for watch in self._watches:
             value = values.get(watch.quantity)
             if value is None:
                 continue
-            # The twin's values come without the time, and are not known at once.
+            # The twin's values have no time, and are not available at the beginning.
             if "time" in values and watch.judges(step):
                 missing = watch.look_for_value(watch.without_value_s(values))
                 if missing is not None:
@@ -205,9 +204,9 @@ class RuleMonitor:
 def least_margin(
     monitor: RuleMonitor, limits: LimitsSection, values: Mapping[str, float], step: int = 0
 ) -> tuple[float, str]:
-    """Return the least distance of a judged revolution to any limit, in percent, and which one.
+    """Return the least margin of an evaluated revolution to any limit, in percent, and its name.
 
-    values: the columns of its row. Infinite and unnamed when nothing of it is limited.
+    values: the columns of its row. Infinity and an empty name without limits.
     """
     return min(
         monitor.worst_margin(values, step),
@@ -221,21 +220,21 @@ def least_margin(
 
 
 def margin_to(limit: float, value: float, name: str) -> tuple[float, str]:
-    """Return the distance of a value to its upper limit in percent of the limit, with its name."""
+    """Return the margin of a value to its upper limit in percent of the limit, with its name."""
     return 100.0 * (limit - value) / limit, name
 
 
 def changed_limits(
     limits: LimitsSection, name: str, value: float, table: ChannelTable | None = None
 ) -> tuple[float | None, LimitsSection]:
-    """Return the former value and the limits with one changed; raise UnusableInput."""
+    """Return the previous value, and the limits with one changed; raise UnusableInput."""
     quantity, _, level = name.partition(".")
-    places = [
+    indices = [
         index
         for index, rule in enumerate(limits.rule)
         if rule.quantity == quantity and level in BOUNDS and getattr(rule, level) is not None
     ]
-    if name not in ALWAYS and not places:
+    if name not in ALWAYS and not indices:
         known = [
             f"{rule.quantity}.{level}"
             for rule in limits.rule
@@ -245,12 +244,12 @@ def changed_limits(
         raise UnusableInput(
             "there is no limit {}; there are: {}", repr(name), joined(", ", (*ALWAYS, *known))
         )
-    wrong = limit_refusal(name, value, table)
-    if wrong:
-        raise UnusableInput(wrong)
+    refused = limit_refusal(name, value, table)
+    if refused:
+        raise UnusableInput(refused)
     if name in ALWAYS:
         return getattr(limits, name), msgspec.structs.replace(limits, **{name: value})
-    index = places[0]
+    index = indices[0]
     rule = limits.rule[index]
     changed = msgspec.structs.replace(rule, **{level: value})
     rules = (*limits.rule[:index], changed, *limits.rule[index + 1 :])

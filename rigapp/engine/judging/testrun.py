@@ -1,10 +1,10 @@
-"""One test under way: numbers its revolutions, fills their rows, judges, stores, publishes.
+"""Run of a test: numbers its revolutions, fills their rows and evaluates them.
 
-Which revolutions count. The first row is the first revolution that begins at an index after the
-start command; the ramp is part of the test, its revolutions carry the flag RAMP. Every revolution
-the crank makes from then on counts, whatever its quality, up to the planned number; a revolution
-lost in a gap of the data counts too and leaves a gap in the numbers. A pause does not end a
-revolution: its row carries the flag PAUSED, and the samples of the standstill are left out.
+Numbering: the first row is the first revolution that begins at an index after the start command;
+the ramp is part of the test, its revolutions have the flag RAMP. Each revolution of the crank from
+then on counts, of any quality, up to the planned number; one lost in a gap of the data counts too
+and leaves a gap in the numbers. A pause does not end a revolution: its row has the flag PAUSED,
+without the samples of the standstill.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Row:
-    """A finished row with its revolution; named: its values by column."""
+    """A row with its revolution; named: its values by column."""
 
     number: int
     values: Array
@@ -42,13 +42,12 @@ class Row:
 
 
 class TestRun:
-    """Turn the revolutions of one test into rows; the processing thread calls ``take``.
+    """Converter of the revolutions of one test to rows; ``take`` is for the processing thread.
 
     first: number of the first revolution to record. planned: number of the last. time_offset_s:
-    the test's time at its start (not 0 when it was resumed). utc: UTC seconds of a host time.
-    stops: the criteria that end the test before. slow: the columns of the slow channels at a host
-    time. joint, depth: the checks of the twin's answers. step: number of the step of a
-    revolution.
+    the test's time at the start (not 0 after a resume). utc: UTC seconds of a host time. stops: the
+    stop criteria. slow: the columns of the slow channels at a host time. joint, depth: the checks
+    of the twin's predictions. step: number of the step of a revolution.
     """
 
     __test__ = False
@@ -94,9 +93,9 @@ class TestRun:
         self.start_sample = sample
 
     def take(self, revolution: Revolution, steady: bool) -> Row | None:
-        """Number a revolution, reduce and judge it; None when it does not belong to the test.
+        """Number, reduce and evaluate a revolution; None if it is not part of the test.
 
-        steady: the engine was not changing the speed in any part of it.
+        steady: the set speed was constant during all of it.
         """
         if self.complete or self.start_sample is None:
             return None
@@ -137,7 +136,7 @@ class TestRun:
         return self.newest
 
     def _lasted_s(self, row: NDArray[np.float64], host_time_ns: int) -> float:
-        """Return how long a revolution took in host time, which a simulated rig may outrun."""
+        """Return the duration of a revolution in host time, which a simulated rig may outrun."""
         speed = float(row[self.calibration.table.place["speed"]])
         lasted_s = 60.0 / speed if speed > 0.0 else 0.0
         if self._ended_ns is None:

@@ -1,1 +1,1 @@
-"""Record a test: the plan of its file, the cycles that are kept, and the writing."""
+"""Recording of a test: the plan of its file, the cycles to store, and the writing."""

@@ -1,4 +1,4 @@
-"""The plan of a test's file, and the disk space that follows from it."""
+"""Plan of a test's file, which determines its disk space."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from rigapp.schema.channels import BASE, ChannelTable
 from rigapp.storage import FilePlan, profile_rows
 
 SLOWER = 1.05
-"""Largest ratio of samples of a revolution to those of one at the set speed."""
+"""Largest number of samples of a revolution, relative to one at the set speed."""
 
 STAND_S = 3.0
-"""Time of standstill that an unfinished revolution may hold, and somewhat more."""
+"""Time of standstill in an unfinished revolution, with a margin."""
 
 UNFINISHED = 2
-"""Unfinished revolutions for which room is reserved."""
+"""Unfinished revolutions for which space is reserved."""
 
 
 def _bytes_of(table: ChannelTable) -> int:
@@ -35,15 +35,15 @@ def file_plan(
 ) -> FilePlan:
     """Return the plan of a test's file. table: the channels of the rig.
 
-    samples_per_revolution: of a device that the encoder clocks; None: the rate and the lowest
-    set speed give the number.
+    samples_per_revolution: of a device clocked by the encoder; None: from the rate and the lowest
+    set speed.
     """
     revolutions = test.run.revolutions
     if samples_per_revolution is None:
         samples_per_revolution = 60.0 / Sequence(test.run).slowest_rpm * sample_rate_Hz
     samples = max(1, math.ceil(SLOWER * samples_per_revolution))
-    # A revolution that is cut off holds the ramp, of half the set speed, and some standstill.
-    cut_off = 2 * samples + math.ceil(STAND_S * sample_rate_Hz)
+    # An unfinished revolution includes the ramp, with half the set speed, and some standstill.
+    unfinished = 2 * samples + math.ceil(STAND_S * sample_rate_Hz)
     scheduled = Schedule(test.cycles, revolutions).planned()
     return FilePlan(
         revolutions=revolutions,
@@ -55,7 +55,7 @@ def file_plan(
         prediction=test.prediction.enabled,
         cycle_reason=True,
         event_details=True,
-        unfinished_samples=UNFINISHED * cut_off,
+        unfinished_samples=UNFINISHED * unfinished,
         checksums=True,
         waiting_cycles=waiting_cycles(test.cycles, revolutions, samples * _bytes_of(table)),
         profiles=profile_rows(revolutions) if test.prediction.enabled else 0,

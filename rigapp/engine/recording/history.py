@@ -1,13 +1,13 @@
-"""Which whole cycles are kept: those of the schedule, and those around a trigger.
+"""Selection of the complete cycles to store: those of the schedule, and those around a trigger.
 
-A trigger is an alarm that rises, a limit that is passed, or an operator's note. The last
-revolutions stay in memory until no trigger can want them any more; wanted ones leave in the
-order of the revolutions, none twice. As soon as the oldest one is wanted, it leaves at once: after
-a trigger nothing waits.
+A trigger is a raised alarm, an exceeded limit, or an operator's note. The last revolutions are held
+in memory until no later trigger can select them; selected ones are returned in the order of the
+revolutions, each once. The oldest one is returned as soon as it is selected, so that nothing waits
+after a trigger.
 
-Memory: ``before`` revolutions, at most ``RING_BYTES``; when fewer fit, the oldest leave early and
-are counted in ``shortened``. Room in the file: ``triggered_cycles``; the last bursts of it are kept
-for critical alarms. A trigger that has no room is counted in ``refused`` and changes nothing.
+Memory: ``before`` revolutions, at most ``RING_BYTES``; if fewer fit, the oldest are dropped early
+and counted in ``shortened``. Space in the file: ``triggered_cycles``; its last bursts are reserved
+for critical alarms. A trigger without space is counted in ``refused`` and ignored.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from typing import TYPE_CHECKING
 
 from rigapp.config.recipe import CyclesSection
 
-if TYPE_CHECKING:  # the window computes the size of a file, and must not load the kernels for it
+if TYPE_CHECKING:  # the window uses this for the size of a file, without loading kernels
     from rigapp.engine.values.calibrate import Measured
 
 
 class Schedule:
-    """The revolutions whose whole cycle is kept; the last one of a test always is."""
+    """Revolutions whose complete cycle is stored; always includes the last one of a test."""
 
     def __init__(self, section: CyclesSection, revolutions: int) -> None:
         self._section = section
@@ -35,7 +35,7 @@ class Schedule:
             self._wanted = logarithmic(revolutions, section.per_decade)
 
     def keeps(self, revolution: int) -> bool:
-        """Return whether revolution number ``revolution`` (the first is 1) is kept whole."""
+        """Return whether the cycle of a revolution (the first is 1) is stored."""
         section = self._section
         if section.schedule == "none":
             return False
@@ -47,11 +47,11 @@ class Schedule:
 
     @property
     def any(self) -> bool:
-        """Return whether any cycle is kept."""
+        """Return whether any cycle is stored."""
         return self._section.schedule != "none"
 
     def planned(self) -> int:
-        """Return the number of cycles kept of the whole test."""
+        """Return the number of stored cycles of the test."""
         if self._section.schedule == "none":
             return 0
         if self._section.schedule == "every":
@@ -61,7 +61,7 @@ class Schedule:
 
 
 def logarithmic(revolutions: int, per_decade: int) -> frozenset[int]:
-    """Return revolution numbers spaced evenly in the logarithm: ``per_decade`` in each decade."""
+    """Return logarithmically spaced revolution numbers, ``per_decade`` in each decade."""
     result: set[int] = set()
     step = 0
     while True:
@@ -73,18 +73,18 @@ def logarithmic(revolutions: int, per_decade: int) -> frozenset[int]:
 
 
 RING_BYTES = 64 << 20
-"""Memory for revolutions that a trigger may still want."""
+"""Memory for revolutions that a trigger may still select."""
 
 FEWEST_BURSTS, MOST_BURSTS = 10, 100
 REVOLUTIONS_A_BURST = 2000
-"""Revolutions for which space for one burst is reserved, within the two bounds above."""
+"""Revolutions per burst for which space is reserved, within the two bounds above."""
 
 CRITICAL_BURSTS = 3
-"""Bursts reserved for critical alarms."""
+"""Bursts that are reserved for critical alarms."""
 
 
 class RetentionReason(enum.StrEnum):
-    """The reason why a whole cycle is in the file, as written in ``/entry/cycles/why``."""
+    """Why a complete cycle is in the file, as in ``/entry/cycles/why``."""
 
     SCHEDULED = "scheduled"
     LAST = "last"
@@ -97,21 +97,21 @@ TRIGGERED = frozenset({RetentionReason.BEFORE, RetentionReason.TRIGGER, Retentio
 
 
 def triggered_cycles(section: CyclesSection, revolutions: int) -> int:
-    """Return the cycles around triggers for which a file reserves room."""
+    """Return the number of cycles around triggers for which a file reserves space."""
     burst = _burst(section)
     bursts = min(MOST_BURSTS, max(FEWEST_BURSTS, revolutions // REVOLUTIONS_A_BURST))
     return min(bursts * burst, revolutions)
 
 
 def waiting_cycles(section: CyclesSection, revolutions: int, cycle_bytes: int) -> int:
-    """Return how many cycles of ``cycle_bytes`` are held in memory, and beside it in the file."""
+    """Return the number of cycles of ``cycle_bytes`` that wait in memory, and in the file."""
     if not (_burst(section) or Schedule(section, revolutions).any):
         return 0
     return min(section.before_alarm + 1, max(1, RING_BYTES // cycle_bytes))
 
 
 def _burst(section: CyclesSection) -> int:
-    """Return the cycles that one trigger keeps at most; 0 when nothing is triggered."""
+    """Return the largest number of cycles per trigger; 0 without triggers."""
     if section.before_alarm == 0 and section.after_alarm == 0:
         return 0
     return section.before_alarm + 1 + section.after_alarm
@@ -119,7 +119,7 @@ def _burst(section: CyclesSection) -> int:
 
 @dataclass(slots=True, eq=False)
 class RetainedCycle:
-    """A revolution in memory; why: the reason to keep it, None without one."""
+    """A revolution in memory; why: the reason to store it, None so far."""
 
     number: int
     measured: Measured
@@ -128,15 +128,15 @@ class RetainedCycle:
 
     @property
     def size(self) -> int:
-        """Return the bytes that it takes."""
+        """Return its size in bytes."""
         revolution = self.measured.revolution
         return revolution.values.nbytes + revolution.counts.nbytes + revolution.segments.nbytes
 
 
 class History:
-    """Choose the whole cycles of one test; its owner serialises the calls.
+    """Selection of the complete cycles of one test; not thread-safe.
 
-    used: triggered cycles that are in the file already (of a resumed test).
+    used: triggered cycles already in the file (of a resumed test).
     """
 
     def __init__(
@@ -165,25 +165,25 @@ class History:
 
     @property
     def bytes(self) -> int:
-        """Return the bytes of the revolutions that wait."""
+        """Return the size of the waiting revolutions in bytes."""
         return self._bytes
 
     def trigger(self, critical: bool = False) -> bool:
-        """Store the next revolution and its neighbours; False when the file has no space left."""
+        """Select the next revolution and those around it; return False without space."""
         if self._burst == 0:
             return False
         if self._due:
             return True
         undecided = sum(cycle.why is None for cycle in self._ring)
-        kept_back = 0 if critical else min(CRITICAL_BURSTS * self._burst, self._room // 2)
-        if self._used + undecided + 1 + self._after > self._room - kept_back:
+        reserved = 0 if critical else min(CRITICAL_BURSTS * self._burst, self._room // 2)
+        if self._used + undecided + 1 + self._after > self._room - reserved:
             self.refused += 1
             return False
         self._due = True
         return True
 
     def add(self, number: int, measured: Measured, quality: int = 0) -> list[RetainedCycle]:
-        """Take the newest revolution; return those that are to be written now, in order."""
+        """Add the latest revolution; return those to be written now, in order."""
         why = RetentionReason.SCHEDULED if self._schedule.keeps(number) else None
         if self._due:
             self._mark_before()
@@ -204,14 +204,14 @@ class History:
         return leaving
 
     def waiting(self) -> RetainedCycle | None:
-        """Return the newest revolution while a trigger may want it, None once it has left."""
+        """Return the latest revolution while a trigger may select it, else None."""
         newest = self._newest
         if newest is None or (self._newest_left and newest.why is not None):
             return None
         return newest if self._burst or self._schedule.any else None
 
     def close(self) -> list[RetainedCycle]:
-        """End the test and return the rest to write, the last revolution among it."""
+        """End the test; return the remaining cycles to write, including the last revolution."""
         if self._due:
             self._mark_before()
         newest = self._newest

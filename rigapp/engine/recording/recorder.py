@@ -1,4 +1,4 @@
-"""Put revolutions, cycles, predictions and events of one test into its file."""
+"""Writing of revolutions, cycles, predictions and events of one test to its file."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ NO_ROW: Mapping[str, float] = MappingProxyType({})
 def cycle_samples(
     measured: Measured, table: ChannelTable, start_sample: int, time_offset_s: float
 ) -> dict[str, ArrayLike]:
-    """Return the columns of a whole cycle for one revolution, (samples,) each, as a file has them.
+    """Return the columns of the complete cycle of a revolution, (samples,) each, as in a file.
 
     start_sample: device sample at which the test's time was time_offset_s.
     """
@@ -50,14 +50,14 @@ def cycle_samples(
         **values.curves,
         **{f"raw_{name}": signal for name, signal in measured.signals().items()},
     }
-    # Copies of the file's own types: the file then need not copy them again.
+    # Copies in the types of the file, which then need no further copy.
     return {
         column.name: columns[column.name].astype(column.dtype) for column in table.cycle_columns
     }
 
 
 def cycle_message(number: int, measured: Measured) -> Cycle:
-    """Return one revolution for drawing."""
+    """Return one revolution for display."""
     values = measured.calibrated
     return Cycle(
         revolution=number,
@@ -66,20 +66,20 @@ def cycle_message(number: int, measured: Measured) -> Cycle:
     )
 
 
-HOLD_EVERY_S = 0.05
-"""A cycle without a trigger is held in the file so often at most: each one up to 1,200 rpm. It
-takes half of what a revolution costs, and a simulated rig may make a thousand a second."""
+RECOVERY_INTERVAL_S = 0.05
+"""Least interval of storing a cycle without a trigger for recovery: each one up to 1,200 rpm. It is
+half of the cost of a revolution, and a simulated rig may make a thousand per second."""
 
 CURVES_WAITING = 256
-"""Predictions that wait for their cycle."""
+"""Largest number of predictions that wait for their cycle."""
 
 
 class CurvesBeside:
-    """Choose the predicted curves that go beside the kept cycles.
+    """Selection of the predicted curves for the stored cycles.
 
-    The twin answers later than the cycle comes, and skips revolutions: to each kept cycle belongs
-    the first prediction of its revolution or a later one. Waiting predictions are bounded; of more
-    the oldest lose their curves.
+    Predictions are later than cycles, and skip revolutions: the curves for a stored cycle are those
+    of the first prediction of its revolution or a later one. The number of waiting predictions is
+    bounded; curves of the oldest are dropped.
     """
 
     def __init__(self) -> None:
@@ -88,12 +88,12 @@ class CurvesBeside:
         self._decided = 0
 
     def predicted(self, prediction: Prediction) -> Iterator[Prediction]:
-        """Take a prediction; yield those whose curves are to be written now, in order."""
+        """Add a prediction; yield those whose curves are to be written now, in order."""
         self._waiting.append(prediction)
         return self._chosen()
 
     def kept(self, numbers: Iterable[int], decided: int) -> Iterator[Prediction]:
-        """Take the cycles that are kept; no further one up to revolution ``decided`` will be."""
+        """Add stored cycles; no further one up to revolution ``decided`` will be stored."""
         self._kept.extend(numbers)
         self._decided = decided
         return self._chosen()
@@ -101,20 +101,20 @@ class CurvesBeside:
     def _chosen(self) -> Iterator[Prediction]:
         while self._waiting and self._waiting[0].revolution <= self._decided:
             prediction = self._waiting.popleft()
-            wanted = False
+            has_cycle = False
             while self._kept and self._kept[0] <= prediction.revolution:
                 self._kept.popleft()
-                wanted = True
-            if wanted:
+                has_cycle = True
+            if has_cycle:
                 yield prediction
 
 
 class Recorder:
-    """Write one test; rows from the processing thread, the rest from any.
+    """Recorder of one test; rows from the processing thread, otherwise thread-safe.
 
-    first: number of the first revolution to come. unfinished: returns the samples of the revolution
-    under way. table: the channels that the file keeps, None for those of the rig. After ``close``
-    nothing is written any more, and nothing fails.
+    first: number of the next revolution. unfinished: returns the samples of the revolution in
+    progress. table: the channels of the file, None for those of the rig. After ``finish`` or
+    ``abandon`` all calls are without effect.
     """
 
     def __init__(
@@ -133,8 +133,8 @@ class Recorder:
         self._calibration = calibration
         self._table = table if table is not None else calibration.table
         index = calibration.table.place
-        kept = [index[name] for name in self._table.names]
-        self._kept = None if kept == list(range(len(index))) else kept
+        columns = [index[name] for name in self._table.names]
+        self._kept = None if columns == list(range(len(index))) else columns
         self._start_sample: int | None = None
         self._time_offset_s = time_offset_s
         self._first = first
@@ -143,8 +143,8 @@ class Recorder:
         self._closed = False
         self._waiting_profile: WornProfile | None = None
         self._last: tuple[int, int] | None = None
-        self._whole = False
-        self._held_s = -math.inf
+        self._complete = False
+        self._recovery_s = -math.inf
         self.committed = 0
 
     def begin(self, sample: int) -> None:
@@ -153,48 +153,50 @@ class Recorder:
 
     @property
     def rows(self) -> int:
-        """Return the rows in the file, committed or not."""
+        """Return the number of rows in the file, committed or not."""
         return self._store.revolutions
 
     @property
     def cycles_refused(self) -> int:
-        """Return the number of whole cycles that had no space."""
+        """Return the number of complete cycles that had no space."""
         return self._store.cycles_refused
 
     @property
     def triggers_refused(self) -> int:
-        """Return the number of alarms, limits and notes whose whole cycles had no space."""
+        """Return the number of alarms, limits and notes whose cycles had no space."""
         return self._history.refused
 
     def row(self, number: int, row: Array, measured: Measured) -> None:
-        """Write a row, and the whole cycles that are kept."""
+        """Write a row, and the cycles to store."""
         with self._lock:
             if self._closed:
                 return
             self._store.append_row(row if self._kept is None else row[self._kept])
             self._last = (number, measured.revolution.ordinal)
-            self._whole = number >= self._history.planned
+            self._complete = number >= self._history.planned
             quality = int(row[measured.calibration.table.place["quality"]])
             leaving = self._history.add(number, measured, quality)
-            self._keep(leaving)
-            self._hold(number, measured, quality)
+            self._write_cycles(leaving)
+            self._store_for_recovery(number, measured, quality)
 
-    def _hold(self, number: int, measured: Measured, quality: int) -> None:
-        """Put a cycle that waits in memory into the file too, for after a crash."""
+    def _store_for_recovery(self, number: int, measured: Measured, quality: int) -> None:
+        """Write a cycle that waits in memory to the file, for recovery after a crash."""
         waiting, now_s = self._history.waiting(), time.monotonic()
-        if waiting is None or (waiting.why is None and now_s < self._held_s + HOLD_EVERY_S):
+        if waiting is None or (
+            waiting.why is None and now_s < self._recovery_s + RECOVERY_INTERVAL_S
+        ):
             return
-        self._held_s = now_s
+        self._recovery_s = now_s
         self._store.hold_cycle(number, self._samples(measured), waiting.why or "", quality)
 
     def trigger(self, critical: bool) -> None:
-        """Store the next complete cycle and its neighbours."""
+        """Store the next complete cycle and those around it."""
         with self._lock:
             if not self._closed:
                 self._history.trigger(critical)
 
     def prediction(self, prediction: Prediction) -> Array:
-        """Write a prediction and return its values; curves beside the kept cycles only."""
+        """Write a prediction and return its values; curves for stored cycles only."""
         values = as_array(prediction.values, "<f8")
         with self._lock:
             if not self._closed:
@@ -203,11 +205,11 @@ class Recorder:
                 if prediction.checkpoint:
                     self._store.keep_checkpoint(prediction.revolution, prediction.checkpoint)
                 if prediction.profile is not None:
-                    self._take_profile(prediction.profile)
+                    self._write_profile(prediction.profile)
         return values
 
-    def _take_profile(self, profile: WornProfile) -> None:
-        """Write a profile of the schedule; of the others the newest waits for the end."""
+    def _write_profile(self, profile: WornProfile) -> None:
+        """Write a scheduled profile; the latest of the others is written at the end."""
         if not profile.keep:
             self._waiting_profile = profile
             return
@@ -216,7 +218,7 @@ class Recorder:
         self._store.append_profile(as_array(profile.values, "<f8"), curves)
 
     def event(self, event: Event) -> bool:
-        """Write an event; False when the log has no room for it."""
+        """Write an event; return False if the log is full."""
         with self._lock:
             return self._closed or self._store.append_event(event)
 
@@ -227,30 +229,30 @@ class Recorder:
                 self._store.note_gap(event)
 
     def place(self) -> None:
-        """Put what waits in memory into the file; between commits, so that appending need not."""
+        """Write queued data to the file between commits, so that appending does not have to."""
         if not self._closed:
             self._store.place()
 
     def commit(self) -> int:
-        """Flush to disk; return the number of saved rows. Rows may be appended meanwhile."""
+        """Commit all data; return the number of committed rows. Does not block appending."""
         if not self._closed:
             self.committed = self._store.commit()
         return self.committed
 
     @property
     def path(self) -> Path:
-        """Return where the file is."""
+        """Return the path of the file."""
         return self._store.path
 
     def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
-        """Restore the file's name when it was deleted, moved or replaced; may take long.
+        """Restore the path of the file if it was deleted, moved or replaced; may take long.
 
-        notice: called before that.
+        notice: called before.
         """
         return None if self._closed else self._store.watch_path(notice)
 
     def extend(self, revolutions: int) -> None:
-        """Make room for another number of revolutions; raise UnusableInput when there is none."""
+        """Reserve space for a number of revolutions; raise UnusableInput without space."""
         with self._lock:
             if not self._closed:
                 self._store.extend(revolutions)
@@ -258,24 +260,24 @@ class Recorder:
     def finish(
         self, status: str, reason_code: str, sentence: str, *, keep_empty: bool = True
     ) -> bool:
-        """Write what still waits and the revolution cut off, record how the test ended, and close.
+        """Write queued data, the unfinished revolution and the end of the test, and close.
 
-        keep_empty: False deletes a file without a whole revolution. Return whether it is kept.
+        keep_empty: False deletes a file without a complete revolution. Returns whether it exists.
         """
         with self._lock:
             if not (keep_empty or self._closed or self._store.revolutions):
                 self._closed = True
                 self._store.discard()
                 return False
-        cut_off = None if self._closed or self._whole else self._unfinished()
+        unfinished = None if self._closed or self._complete else self._unfinished()
         with self._lock:
             if self._closed:
                 return True
-            self._keep(self._history.close())
-            if cut_off is not None:
-                self._keep_unfinished(cut_off)
+            self._write_cycles(self._history.close())
+            if unfinished is not None:
+                self._write_unfinished(unfinished)
             if self._waiting_profile is not None:
-                self._take_profile(msgspec.structs.replace(self._waiting_profile, keep=True))
+                self._write_profile(msgspec.structs.replace(self._waiting_profile, keep=True))
             self._closed = True
         try:
             self._store.finish(status, reason_code, sentence)
@@ -285,7 +287,7 @@ class Recorder:
         return True
 
     def abandon(self) -> None:
-        """Close the file after the disk refused it; never raises."""
+        """Close the file after a write error; never raises."""
         with self._lock:
             self._closed = True
         try:
@@ -296,7 +298,7 @@ class Recorder:
     def _samples(self, measured: Measured) -> dict[str, ArrayLike]:
         return cycle_samples(measured, self._table, self._start_sample or 0, self._time_offset_s)
 
-    def _keep(self, leaving: Iterable[RetainedCycle]) -> None:
+    def _write_cycles(self, leaving: Iterable[RetainedCycle]) -> None:
         numbers: list[int] = []
         for cycle in leaving:
             assert cycle.why is not None
@@ -310,8 +312,8 @@ class Recorder:
             curves = {name: as_array(getattr(prediction, name)) for name in PREDICTED_CURVES}
             self._store.append_curves(prediction.revolution, curves)
 
-    def _keep_unfinished(self, revolution: Revolution) -> None:
-        """Store a revolution that was cut off after the last row, not one before the test."""
+    def _write_unfinished(self, revolution: Revolution) -> None:
+        """Write an unfinished revolution after the last row, unless it began before the test."""
         if self._start_sample is None or revolution.first_sample < self._start_sample:
             return
         number, ordinal = self._last or (self._first - 1, revolution.ordinal - 1)
@@ -324,16 +326,16 @@ class Recorder:
 
 
 TEMPERATURE = ("room_temperature", "room_temperature_mean")
-"""Columns of the temperature that moves the probes: of a slow channel, or of a sampled one."""
+"""Columns of the temperature that affects the probes: of a slow channel, or of a sampled one."""
 
 
 def measured_history(
     number: int, measured: Measured, row: Mapping[str, float] = NO_ROW
 ) -> RevolutionMeasured:
-    """Return what the twin needs of one revolution; row: its values by column."""
+    """Return the input of the twin for one revolution; row: its values by column."""
     values = measured.calibrated
-    wanted = {"time_s": values.time_s, "angle_rad": values.angle_rad}
-    wanted |= {name: values[name] for name in ("force_1", "force_2", "probe_1", "probe_2")}
-    packed = {name: array.astype("<f8").tobytes() for name, array in wanted.items()}
+    arrays = {"time_s": values.time_s, "angle_rad": values.angle_rad}
+    arrays |= {name: values[name] for name in ("force_1", "force_2", "probe_1", "probe_2")}
+    packed = {name: array.astype("<f8").tobytes() for name, array in arrays.items()}
     warm = next((row[name] for name in TEMPERATURE if name in row), math.nan)
     return RevolutionMeasured(revolution=number, **packed, temperature_C=warm)

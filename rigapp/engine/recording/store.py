@@ -1,4 +1,4 @@
-"""The interface of a test file, and how the engine opens one."""
+"""Interface of a test file, and its creation and reopening by the engine."""
 
 from __future__ import annotations
 
@@ -42,16 +42,16 @@ from rigapp_drivers.api import SampleClock
 
 
 class Store(Protocol):
-    """Storage of a test. ``append_*`` may be called by several threads; none waits for the disk."""
+    """Test file. ``append_*`` are thread-safe and do not wait for the disk."""
 
     @property
     def path(self) -> Path:
-        """Return where the file is; another path when it had to be saved there."""
+        """Return the path of the file; another one if it had to be saved there."""
 
     def watch_path(self, notice: Callable[[str], object]) -> PathReport | None:
-        """Restore the file's name when it was lost; None when it was not.
+        """Restore the path of the file; None if it is unchanged.
 
-        It may take long; notice is called before.
+        May take long; notice is called before.
         """
 
     @property
@@ -60,7 +60,7 @@ class Store(Protocol):
 
     @property
     def cycles_refused(self) -> int:
-        """Return the number of whole cycles that had no space."""
+        """Return the number of complete cycles that had no space."""
 
     def append_row(self, values: NDArray[np.float64]) -> None:
         """Append a row, in the order of the plan's columns."""
@@ -68,68 +68,68 @@ class Store(Protocol):
     def append_cycle(
         self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
     ) -> bool:
-        """Append a whole cycle and why it is kept; False when there is no room for it."""
+        """Append a complete cycle and why it is stored; return False without space."""
 
     def hold_cycle(
         self, revolution: int, columns: Mapping[str, ArrayLike], why: str, quality: int
     ) -> None:
-        """Put a whole cycle that waits in memory into the file too, for after a crash."""
+        """Write a complete cycle that waits in memory, for recovery after a crash."""
 
     def append_unfinished(
         self, revolution: int, columns: Mapping[str, ArrayLike], quality: int
     ) -> bool:
-        """Append a revolution that was cut off; False when there is no room for it."""
+        """Append an unfinished revolution; return False without space."""
 
     def append_prediction(self, values: NDArray[np.float64]) -> bool:
-        """Append a prediction; False when there is no room for it."""
+        """Append a prediction; return False without space."""
 
     def append_curves(self, revolution: int, curves: Mapping[str, ArrayLike]) -> bool:
-        """Append the predicted curves of a revolution; False when there is no room for them."""
+        """Append the predicted curves of a revolution; return False without space."""
 
     def append_profile(self, values: NDArray[np.float64], curves: Mapping[str, ArrayLike]) -> bool:
-        """Append a worn profile; False when there is no room for it."""
+        """Append a worn profile; return False without space."""
 
     def keep_checkpoint(self, revolution: int, state: bytes) -> None:
-        """Store the twin's checkpoint after a revolution; the newest one counts."""
+        """Store the state of the twin after a revolution, for a restart; the latest one is used."""
 
     def append_event(self, event: Event) -> bool:
-        """Append to the log; False when it is full."""
+        """Append to the log; return False if it is full."""
 
     def note_gap(self, event: Event) -> None:
         """Count an interruption and log it."""
 
     def place(self) -> None:
-        """Put what waits in memory into the file, without making it safe."""
+        """Write queued data to the file, without a commit."""
 
     def extend(self, revolutions: int) -> None:
-        """Make room for another number of revolutions and log it; raise UnusableInput."""
+        """Reserve space for a number of revolutions and log it; raise UnusableInput."""
 
     def commit(self) -> int:
-        """Make everything safe and return the number of safe rows."""
+        """Commit all data and return the number of committed rows."""
 
     def finish(self, status: str, reason_code: str, sentence: str) -> None:
-        """Commit, and record how the test ended: complete, stopped or fault."""
+        """Commit, and record the end of the test: complete, stopped or fault."""
 
     def close(self) -> None:
         """Close the file."""
 
     def discard(self) -> None:
-        """Close a file in which nothing is recorded, and delete it."""
+        """Close and delete a file without rows."""
 
 
 HISTORY_ROWS = 100_000
-"""Rows of an earlier segment that are read at once."""
+"""Rows of earlier runs that are read at once."""
 
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """A test file that is ready for rows. rows: already in it; last_*: of the last of these.
+    """An open test file. rows: already in it; last_*: of the last of these.
 
-    table: the channels that it keeps, None for those of the rig.
+    table: its channels, None for those of the rig.
 
-    triggered: whole cycles in it that a trigger kept. history: yields these rows, some at a time,
-    as (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths in it after a revolution,
-    as (len(DEPTH_COLUMNS), n).
+    triggered: complete cycles in it that a trigger selected. history: yields these rows in blocks
+    of (len(HISTORY_COLUMNS), n); depths: reads the measured wear depths after a revolution, as
+    (len(DEPTH_COLUMNS), n).
     """
 
     store: Store
@@ -145,7 +145,7 @@ class Opened:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class OpenRequest:
-    """Everything that goes into a new file before its first row.
+    """Content of a new file before its first row.
 
     rest: the signals at rest. worn: wear of the specimen, None for a new one.
     """
@@ -163,11 +163,11 @@ class OpenRequest:
 
 
 OpenStore = Callable[[OpenRequest], Opened]
-"""Create or reopen a test file; raises UnusableInput and leaves nothing behind."""
+"""Create or reopen a test file; raises UnusableInput without leaving a file."""
 
 
 def open_file(request: OpenRequest) -> Opened:
-    """Create the HDF5 file of a test, or reopen it to go on; raise UnusableInput."""
+    """Create the HDF5 file of a test, or reopen it to resume; raise UnusableInput."""
     return _resume(request) if request.resume else _create(request)
 
 
@@ -233,7 +233,7 @@ def _resume(request: OpenRequest) -> Opened:
 
 
 def missing_channels(kept: ChannelTable, measured: ChannelTable) -> str:
-    """Return why a rig cannot resume a file, by the channels of both; empty where it can."""
+    """Return why a rig cannot resume a file, by the channels of both, or an empty text."""
     missing = [
         channel.name
         for channel in kept.channels
@@ -330,12 +330,12 @@ def _line_record(line: InputLine) -> dict[str, Any]:
 
 
 def _uncertainty(request: OpenRequest) -> dict[str, Any]:
-    """Return what the file states of the uncertainty of its forces."""
+    """Return the file's record of the uncertainty of its forces."""
     cell = request.rig.record.load_cell
     stated = stated_uncertainty(request.records.get("load_cell", ""), cell.uncertainty_N)
-    noise = request.rest.noise if request.rest is not None else None
-    seen = noise_of_sample(request.calibration.load_cell.matrix, noise, cell.resolution_N)
-    return uncertainty_record(stated, *seen, cell.full_scale_N)
+    signal_noise = request.rest.noise if request.rest is not None else None
+    noise_N = noise_of_sample(request.calibration.load_cell.matrix, signal_noise, cell.resolution_N)
+    return uncertainty_record(stated, *noise_N, cell.full_scale_N)
 
 
 INSTRUMENTS = {
@@ -349,7 +349,7 @@ INSTRUMENTS = {
         "two probes on the follower: position of the pin, along the follower and across it",
     ),
 }
-"""Instrument -> what kind it is and what it measures, as a file describes it."""
+"""Instrument -> its type and quantity, as described in a file."""
 
 
 def detector_record(
@@ -359,10 +359,10 @@ def detector_record(
 ) -> dict[str, Mapping[str, Any]]:
     """Return the detectors as nested plain values, units in the keys; rate: of the device.
 
-    devices: what was read back from each, with its identity.
+    devices: settings read back from each, with its identity.
     """
     table, cell, encoder = channel_table(rig), rig.load_cell, rig.encoder
-    own = {
+    ranges = {
         LOAD_CELL: {"full_scale_N": cell.full_scale_N, "resolution_N": cell.resolution_N},
         PROBES: {"range_V": rig.probes.range_V},
     }
@@ -375,7 +375,7 @@ def detector_record(
             "channels": [curve.name for curve in table.curves if curve.instrument == name],
             "local_name": [wire.input for wire in wired],
             **_device(rig, wired[0].device, sample_rate_Hz, devices),
-            **own[name],
+            **ranges[name],
             "latency_ms": [1e3 * wire.latency_s for wire in wired],
             "calibration": f"{CALIBRATION}/{name}",
         }
@@ -406,7 +406,7 @@ def detector_record(
     return result
 
 
-SAID = "device_"
+IDENTITY_PREFIX = "device_"
 """Prefix of the keys of a device's identity, beside its settings (``identifying``)."""
 
 
@@ -416,21 +416,21 @@ def _device(
     sample_rate_Hz: float,
     devices: Mapping[str, Mapping[str, str | float | int]],
 ) -> dict[str, Any]:
-    described = {
-        key.removeprefix(SAID): value
+    identity = {
+        key.removeprefix(IDENTITY_PREFIX): value
         for key, value in devices.get(name, {}).items()
-        if key.startswith(SAID)
+        if key.startswith(IDENTITY_PREFIX)
     }
     return {
         "device": name,
         "driver": rig.devices[name].driver,
-        **described,
+        **identity,
         "sample_rate_Hz": sample_rate_Hz,
     }
 
 
 def _probe_extras(probes: ProbePair) -> dict[str, Any]:
-    """Return uncertainty, alignment and run-out map of the probes, as far as they are in use."""
+    """Return uncertainty, alignment and run-out map of the probes, if used."""
     extras: dict[str, Any] = {}
     if probes.uncertainty_um is not None:
         extras["uncertainty_um"] = list(probes.uncertainty_um)

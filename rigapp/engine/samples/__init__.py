@@ -1,1 +1,1 @@
-"""Blocks of samples to revolutions: encoder, clocks, gaps."""
+"""From blocks of samples to revolutions: encoder, clocks, gaps."""

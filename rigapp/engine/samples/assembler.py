@@ -1,9 +1,9 @@
-"""Cut the stream of Blocks at the encoder index into revolutions.
+"""Division of the stream of Blocks into revolutions at the encoder index.
 
-Nothing is interpolated, and no good sample is dropped: a gap is a break between two segments and a
-flag, a missing index, a slipped count and a reversal are flags. A revolution leaves the assembler
-when a few samples beyond its end have arrived (``Margins``): the calibration needs them to shift
-the analog channels against the encoder.
+Nothing is interpolated, and no valid sample is dropped: a gap is a break between two segments and a
+flag; a missing index, a slipped count and a reversal are flags. A revolution is returned when a few
+samples beyond its end have arrived (``Margins``), which the calibration needs to shift the analog
+channels relative to the encoder.
 """
 
 from __future__ import annotations
@@ -35,15 +35,15 @@ from rigapp_drivers.api import Block
 Values = NDArray[np.float32] | NDArray[np.int32]
 
 MAXIMUM_ACCELERATION_REV_PER_S2 = 200.0
-"""Counts that deviate by more than this acceleration explains are not motion."""
+"""Largest acceleration; larger deviations of the count are not motion."""
 
 STANDSTILL_S = 2.0
-"""Samples of a standing crank beyond this time are counted, but not kept."""
+"""Duration of a standstill beyond which samples are counted, but not stored."""
 
-FIRST_BUFFER = 1 << 16  # samples: several revolutions, so that it seldom grows
+FIRST_BUFFER = 1 << 16  # samples: several revolutions, so that it rarely grows
 
 KEPT = int(StateAt.KEPT)
-"""As a plain number: a member of an enumeration is slow to reach, and each block reads it."""
+"""As int, because access to an enumeration's member is slow, and each block reads it."""
 
 _motion_in = itemgetter(
     StateAt.TRAVEL_FIRST,
@@ -52,16 +52,16 @@ _motion_in = itemgetter(
     StateAt.UNLOCKED_TURN,
     StateAt.SKIPS,
 )
-"""The fields of ``Motion`` in the state, read as a list at each block: one by one takes 8 us."""
+"""The fields of ``Motion`` in the state, read as a list for each block: one by one takes 8 us."""
 
 
 @dataclass(frozen=True, slots=True)
 class EncoderSetup:
-    """How the counter follows the crank.
+    """Relation of the counter to the crank.
 
-    counts_per_revolution: after quadrature. direction: +1 or -1, counter against crank.
-    restarts_at_index: the index pulse sets the count to zero. modulus: the counter wraps after so
-    many counts, 0 when it never does.
+    counts_per_revolution: after quadrature. direction: +1 or -1, counter relative to crank.
+    restarts_at_index: the index pulse sets the count to zero. modulus: number of counts after which
+    the counter wraps, 0 if it does not.
     """
 
     counts_per_revolution: int
@@ -80,7 +80,7 @@ class EncoderSetup:
 
 @dataclass(frozen=True, slots=True)
 class Margins:
-    """How many samples before and after a revolution are needed with it."""
+    """Number of samples needed before and after a revolution."""
 
     before: int = 0
     after: int = 0
@@ -88,22 +88,22 @@ class Margins:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Revolution:
-    """One revolution, raw.
+    """Raw data of one revolution.
 
-    ordinal: revolutions of the crank since the first one cut, lost ones counted.
+    ordinal: revolutions of the crank since the first one, including lost ones.
     values: (channels, before + samples + after), a view; the revolution starts at ``before``.
-    counts: (samples,) unwrapped counts from the index at its beginning, whole numbers, positive in
-    the rig's sense. end_count: the same of the first sample after it.
-    segments: (k, 2) int64, place in the revolution and device sample index of each run of samples
-    without a break; the first is at place 0.
-    first_sample, end_sample: device sample index of its first and of the first after it.
-    host_time_ns: monotonic time of the block that carries its end; later_samples: device samples
-    from its end to the end of that block.
-    skipped_counts: by which the count jumps where samples went missing unseen, modulo a turn; 0
-    where the index at its end shows that it was the encoder that lost counts.
-    ticks: None for a device that samples at fixed times. Of one that the encoder clocks: the time
-    of every sample of ``values``; all that is counted in device samples above is counted in these
-    ticks then, and sample_rate_Hz says how many make a second.
+    counts: (samples,) unwrapped counts from the index at its beginning, positive in the rig's
+    direction. end_count: that of the first sample after it.
+    segments: (k, 2) int64, index in the revolution and device sample index of each run of samples
+    without a break; the first has index 0.
+    first_sample, end_sample: device sample index of its first sample and of the first after it.
+    host_time_ns: monotonic time of the block with its end; later_samples: device samples from its
+    end to the end of that block.
+    skipped_counts: jump of the count at unreported missing samples, modulo a turn; 0 if the index
+    at its end shows that the encoder lost counts.
+    ticks: None with a sample clock. With the encoder as clock: the time of each sample of
+    ``values``; all values above in device samples are then in these ticks, and sample_rate_Hz is
+    their number per second.
     """
 
     ordinal: int
@@ -125,11 +125,11 @@ class Revolution:
 
     @property
     def samples(self) -> int:
-        """Return the number of samples kept."""
+        """Return the number of stored samples."""
         return int(self.counts.shape[0])
 
     def first_speed_rpm(self, counts_per_revolution: int) -> float:
-        """Return the mean speed (rpm) over the first part of it that has one; NaN without."""
+        """Return the mean speed (rpm) over the first counts that suffice for it, else NaN."""
         enough = max(ENOUGH_COUNTS, counts_per_revolution // 16)
         end = min(int(np.searchsorted(self.counts, enough)), self.samples - 1)
         if end < 1:
@@ -139,27 +139,27 @@ class Revolution:
         return 60.0 * turned * self.sample_rate_Hz / float(index[end] - index[0])
 
     def sample_indices(self) -> NDArray[np.int64]:
-        """Return the device sample index (or tick) of every sample, (samples,)."""
+        """Return the device sample index (or tick) of each sample, (samples,)."""
         if self.ticks is not None:
             return self.ticks[self.before : self.before + self.samples]
         if len(self.segments) == 1:
             first = int(self.segments[0, 1])
             return np.arange(first, first + self.samples, dtype=np.int64)
         index = np.arange(self.samples, dtype=np.int64)
-        places = self.segments[:, 0]
-        which = np.searchsorted(places, index, side="right") - 1
-        return np.asarray(index - places[which] + self.segments[which, 1], np.int64)
+        starts = self.segments[:, 0]
+        which = np.searchsorted(starts, index, side="right") - 1
+        return np.asarray(index - starts[which] + self.segments[which, 1], np.int64)
 
 
 @dataclass(slots=True)
 class Motion:
-    """The newest motion of the crank, for interlocks and the screen.
+    """Latest motion of the crank, for interlocks and display.
 
-    count: unwrapped position, corrected at every index; phase: counts from the index, 0 ..
-    counts_per_revolution - 1. travel: counts turned up to the block's first and last sample, never
-    corrected, so that a lost count does not look like speed.
-    gap: samples lost just before the block, -1 when their number is not known; turned_in_gap:
-    counts turned meanwhile. skips: jumps of the count so far that stayed.
+    count: unwrapped position, corrected at each index; phase: counts from the index, 0 ..
+    counts_per_revolution - 1. travel: counts up to the block's first and last sample, without
+    corrections, so that a lost count does not appear as speed.
+    gap: samples lost just before the block, -1 if unknown; turned_in_gap: counts in the gap. skips:
+    number of permanent jumps of the count.
     """
 
     count: int = 0
@@ -174,7 +174,7 @@ class Motion:
 
 @dataclass(slots=True, eq=False)
 class _Waiting:
-    """A revolution whose following samples have not all arrived."""
+    """A revolution that waits for the samples after its end."""
 
     start: int
     end: int
@@ -186,9 +186,9 @@ class _Waiting:
 
 
 class Assembler:
-    """Turn Blocks into Revolutions; one thread calls it.
+    """Assembler of Revolutions from Blocks; for one thread.
 
-    counter_row: row of the Block that carries the count. scale, offset: of its ChannelSpec.
+    counter_row: row of the Block with the count. scale, offset: of its ChannelSpec.
     """
 
     def __init__(
@@ -233,33 +233,33 @@ class Assembler:
         self._counted = np.empty(0, np.int64)
         self._keep = np.empty(0, np.uint8)
         self._events = np.empty((0, int(EventAt.SIZE)), np.int64)
-        self._origin = 0  # kept index of the buffer's place 0
+        self._origin = 0  # storage index of the buffer's first sample
         self._fill = 0
-        self._begin: tuple[int, int] | None = None  # kept index, device sample
+        self._begin: tuple[int, int] | None = None  # storage index, device sample
         self._breaks: deque[tuple[int, int]] = deque()
         self._waiting: deque[_Waiting] = deque()
         self.lost_samples = 0
         self.motion = Motion()
 
     def discard(self) -> None:
-        """Drop the revolution under way: the next one begins at the next index."""
+        """Discard the revolution in progress: the next one begins at the next index."""
         self._state[StateAt.INSIDE] = 0
         self._begin = None
         self._waiting.clear()
 
     def flag_time_jump(self) -> None:
-        """Flag the revolution under way: device and host time have drifted apart."""
+        """Flag the revolution in progress: device and host time differ."""
         self._state[StateAt.FLAGS] |= int(Flag.TIME_JUMP)
 
     @property
     def ordinal(self) -> int:
-        """Return the ordinal of the revolution under way."""
+        """Return the ordinal of the revolution in progress."""
         return int(self._state[StateAt.ORDINAL])
 
     def push(self, block: Block, ticks: NDArray[np.int64] | None = None) -> list[Revolution]:
-        """Take a Block and return the revolutions that it completes, in order.
+        """Add a Block and return the revolutions that it completes, in order.
 
-        ticks: (samples,) time of each sample in ns, of a device that the encoder clocks.
+        ticks: (samples,) time of each sample in ns, with the encoder as clock.
         """
         n = block.values.shape[1]
         lost = self._lost_before(block)
@@ -295,14 +295,14 @@ class Assembler:
         if kept_before == 0:
             self._breaks.append((0, block.first_sample))
         for event in events[:count]:
-            self._take(event, block, n)
-        self._look(position)
+            self._handle_event(event, block, n)
+        self._update_motion(position)
         return self._ready()
 
     def unfinished(self) -> Revolution | None:
-        """Return the revolution under way as far as it has come, flagged PARTIAL; None before any.
+        """Return the samples of the revolution in progress, flagged PARTIAL; None without any.
 
-        It continues; call this from the thread that calls ``push``, or while that waits.
+        The revolution is not affected. Call it from the thread of ``push``, or while that waits.
         """
         end = self._origin + self._fill
         if self._begin is None or self._begin[0] >= end:
@@ -344,12 +344,12 @@ class Assembler:
         quality = np.ascontiguousarray(block.quality, np.uint8)
         if counted(raw, self._scale, self._offset, out):
             return out, quality
-        # A count that is no number: hold the last good one and flag it.
+        # A count of NaN: use the last valid one and flag it.
         signal = raw.astype(np.float64) * self._scale + self._offset
         good = np.isfinite(signal)
-        held = np.maximum.accumulate(np.where(good, np.arange(signal.size), -1))
+        last_valid = np.maximum.accumulate(np.where(good, np.arange(signal.size), -1))
         last = float(self._state[StateAt.PREVIOUS] * self.encoder.direction)
-        signal = np.where(held >= 0, signal[np.maximum(held, 0)], last)
+        signal = np.where(last_valid >= 0, signal[np.maximum(last_valid, 0)], last)
         quality = quality | np.where(good, 0, 8).astype(np.uint8)
         return np.rint(signal).astype(np.int64), quality
 
@@ -365,7 +365,7 @@ class Assembler:
             return
         if ticks is not None and self._ticks is None:
             self._ticks = np.empty(self._positions.size, np.int64)
-        self._make_room(kept, values)
+        self._reserve(kept, values)
         if self._ticks is not None and ticks is not None:
             inside = ticks if kept == position.size else ticks[keep.astype(bool)]
             self._ticks[self._fill : self._fill + kept] = inside
@@ -379,8 +379,8 @@ class Assembler:
             self._positions[target] = position[mask]
         self._fill += kept
 
-    def _oldest_wanted(self) -> int:
-        """Return the kept index of the oldest sample that is still needed."""
+    def _oldest_needed(self) -> int:
+        """Return the storage index of the oldest sample that is still needed."""
         newest = self._origin + self._fill
         if self._waiting:
             first = self._waiting[0].start
@@ -390,27 +390,27 @@ class Assembler:
             first = newest
         return max(self._origin, first - self.margins.before)
 
-    def _make_room(self, kept: int, values: Values) -> None:
+    def _reserve(self, kept: int, values: Values) -> None:
         if self._fill + kept <= self._positions.size and self._values.dtype == values.dtype:
             return
-        oldest = self._oldest_wanted()
+        oldest = self._oldest_needed()
         start = oldest - self._origin
-        alive = self._fill - start
-        size = max(FIRST_BUFFER, 4 * (alive + kept))
-        # A new buffer instead of moving the old one: revolutions are views that may still be read.
+        needed = self._fill - start
+        size = max(FIRST_BUFFER, 4 * (needed + kept))
+        # A new buffer instead of moving the data: revolutions are views that may still be in use.
         grown = np.empty((values.shape[0], size), values.dtype)
         positions = np.empty(size, np.int64)
-        if alive:
-            grown[:, :alive] = self._values[:, start : self._fill]
-            positions[:alive] = self._positions[start : self._fill]
+        if needed:
+            grown[:, :needed] = self._values[:, start : self._fill]
+            positions[:needed] = self._positions[start : self._fill]
         if self._ticks is not None:
             times = np.empty(size, np.int64)
-            times[:alive] = self._ticks[start : self._fill]
+            times[:needed] = self._ticks[start : self._fill]
             self._ticks = times
         self._values, self._positions = cast(Values, grown), positions
-        self._origin, self._fill = oldest, alive
+        self._origin, self._fill = oldest, needed
 
-    def _take(self, event: NDArray[np.int64], block: Block, n: int) -> None:
+    def _handle_event(self, event: NDArray[np.int64], block: Block, n: int) -> None:
         kind, kept, sample = (
             int(event[EventAt.KIND]),
             int(event[EventAt.KEPT]),
@@ -434,7 +434,7 @@ class Assembler:
             )
         self._begin = (kept, sample)
 
-    def _look(self, position: NDArray[np.int64]) -> None:
+    def _update_motion(self, position: NDArray[np.int64]) -> None:
         motion, turn = self.motion, self.encoder.counts_per_revolution
         first, last, locked, unlocked, motion.skips = _motion_in(self._state.tolist())
         motion.turned_in_gap = first - motion.travel[1]
@@ -499,11 +499,11 @@ class Assembler:
 def _timed(
     revolution: Revolution, ticks: NDArray[np.int64], inside: NDArray[np.int64]
 ) -> Revolution:
-    """Return a revolution counted in ticks. inside: of its samples and of the first after it.
+    """Return a revolution in ticks. inside: ticks of its samples and of the first after it.
 
-    A long time between two pulses is a standstill; its part beyond STANDSTILL_S is idle.
+    A long time between two pulses is a standstill, which is idle beyond STANDSTILL_S.
     """
-    if inside.size <= revolution.samples:  # nothing has come after it
+    if inside.size <= revolution.samples:  # no sample after it yet
         inside = np.append(inside, 2 * inside[-1] - inside[-2] if inside.size > 1 else inside[-1])
     idle = np.maximum(np.diff(inside) - round(STANDSTILL_S * TICKS_PER_S), 0)
     nominal = TICKS_PER_S / revolution.sample_rate_Hz

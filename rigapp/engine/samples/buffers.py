@@ -1,4 +1,4 @@
-"""Hold samples between threads: blocks that wait, and means of the last seconds."""
+"""Buffers of samples between threads: queued blocks, and means of the last seconds."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from rigapp_drivers.api import Block
 
 
 class BlockQueue:
-    """Hand Blocks from the reader to the processing thread, bounded by samples.
+    """Queue of Blocks from the reader to the processing thread, bounded by samples.
 
-    A full queue refuses the newest block, which shows as a gap.
+    A full queue rejects the latest block, which causes a gap.
     """
 
     def __init__(self, samples: int) -> None:
@@ -27,7 +27,7 @@ class BlockQueue:
         self.refused_blocks = 0
 
     def put(self, block: Block) -> bool:
-        """Add a block; False when it was refused because the queue is full."""
+        """Add a block; return False if the queue is full."""
         size = block.values.shape[1]
         with self._condition:
             if self._blocks and self._samples + size > self.limit:
@@ -39,7 +39,7 @@ class BlockQueue:
         return True
 
     def get(self, timeout_s: float) -> Block | None:
-        """Return the oldest block, or None when none came in time."""
+        """Return the oldest block, or None after the time-out."""
         with self._condition:
             self._condition.wait_for(lambda: bool(self._blocks), timeout_s)
             if not self._blocks:
@@ -50,26 +50,26 @@ class BlockQueue:
         return block
 
     def wait_below(self, samples: int, timeout_s: float) -> bool:
-        """Wait until fewer samples wait; False when they did not in time."""
+        """Wait until fewer samples are queued; return False after the time-out."""
         with self._condition:
             return self._condition.wait_for(lambda: self._samples < samples, timeout_s)
 
     @property
     def samples(self) -> int:
-        """Return the samples waiting."""
+        """Return the number of queued samples."""
         return self._samples
 
     @property
     def oldest_ns(self) -> int | None:
-        """Return the host time of the oldest block waiting, None when none waits."""
+        """Return the host time of the oldest queued block, None without one."""
         with self._condition:
             return self._blocks[0].host_time_ns if self._blocks else None
 
 
-MEANS_PER_SECOND = 20.0  # as fast as a person at the bench can read
-LONGEST_WINDOW_S = 60.0  # a longer mean is drift, not noise
+MEANS_PER_SECOND = 20.0  # as fast as a person can read
+LONGEST_WINDOW_S = 60.0  # over a longer window, drift exceeds noise
 FORGOTTEN_AFTER_S = 30.0
-"""Without a request for so long (host time) the signals are not kept any more."""
+"""Time without a request (host time) after which the recording ends."""
 
 Array = NDArray[np.float64]
 
@@ -85,9 +85,9 @@ class Means:
 
 
 class RecentSignals:
-    """Means of the last window; the processing thread adds, any thread reads.
+    """Means of the last window; the processing thread writes, any thread reads.
 
-    A gap in the sample numbers clears it, so that what is read is always consecutive.
+    A gap in the sample numbers clears it, so that the means are always consecutive.
     """
 
     def __init__(self, sample_rate_Hz: float, window_s: float, inputs: int) -> None:
@@ -112,29 +112,29 @@ class RecentSignals:
         return time.monotonic() - self._read_s > FORGOTTEN_AFTER_S
 
     def add(self, first_sample: int, signals: Array) -> None:
-        """Add signals (inputs, n) that begin with a device sample."""
+        """Add signals (inputs, n); first_sample: device sample of the first."""
         with self._lock:
             if first_sample != self._next:
                 self._means.clear()
                 self._rest = np.empty((self._inputs, 0))
             self._next = first_sample + signals.shape[1]
-            together = np.concatenate((self._rest, signals), axis=1)
-            count = together.shape[1] // self._each
-            start = self._next - together.shape[1]
-            parts = together[:, : count * self._each].reshape(self._inputs, count, self._each)
-            cut = parts.mean(axis=2)
+            signals_so_far = np.concatenate((self._rest, signals), axis=1)
+            count = signals_so_far.shape[1] // self._each
+            start = self._next - signals_so_far.shape[1]
+            parts = signals_so_far[:, : count * self._each].reshape(self._inputs, count, self._each)
+            means = parts.mean(axis=2)
             for index in range(count):
-                self._means.append((start + (index + 1) * self._each, cut[:, index]))
-            self._rest = together[:, count * self._each :]
+                self._means.append((start + (index + 1) * self._each, means[:, index]))
+            self._rest = signals_so_far[:, count * self._each :]
 
     def read(self) -> Means:
-        """Return the means that are kept."""
+        """Return the stored means."""
         with self._lock:
             self._read_s = time.monotonic()
-            kept = list(self._means)
+            means = list(self._means)
         return Means(
-            end=np.array([end for end, _ in kept], dtype=np.int64),
-            signals=np.array([mean for _, mean in kept]).reshape(-1, self._inputs),
+            end=np.array([end for end, _ in means], dtype=np.int64),
+            signals=np.array([mean for _, mean in means]).reshape(-1, self._inputs),
             samples_per_mean=self._each,
             sample_rate_Hz=self._rate,
         )

@@ -1,4 +1,4 @@
-"""The state of the compiled functions that follow the counter: named indices of plain vectors."""
+"""State of the compiled functions that unwrap the counter: named indices of arrays."""
 
 from __future__ import annotations
 
@@ -82,13 +82,13 @@ class EventAt(IntEnum):
 
 
 CUT = 1
-"""Event: a revolution ended before this sample and another begins with it."""
+"""Event: a revolution ends before this sample and another begins with it."""
 BEGIN = 2
-"""Event: the first revolution begins with this sample; what came before does not count."""
+"""Event: the first revolution begins with this sample; earlier samples are discarded."""
 BREAK = 3
 """Event: time is not continuous before this sample."""
 
 
 def new_state() -> tuple[Counts, Floats]:
-    """Return the state of a counter without samples yet, and its smoothed step (1,)."""
+    """Return the initial state of a counter, and its smoothed step (1,)."""
     return np.zeros(int(StateAt.SIZE), np.int64), np.zeros(1, np.float64)

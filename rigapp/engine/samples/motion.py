@@ -1,4 +1,4 @@
-"""The newest motion of the crank over the last moments, for interlocks, pausing and stopping."""
+"""Recent motion of the crank, for interlocks, pauses and stops."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from collections import deque
 import msgspec
 
 STANDING_COUNTS = 2
-"""A crank whose count moves no more than this is stationary: an edge of the encoder may dither."""
+"""Largest change of the count of a stationary crank: an edge of the encoder may dither."""
 
 ENOUGH_COUNTS = 64
-"""Counts from which a speed is quantised to 1.6 % at most."""
+"""Counts from which the quantisation of a speed is 1.6 % or less."""
 
 BLOCKS_KEPT = 4096
-"""Of the smallest blocks, more than LONGEST_S and the longest time of a standstill check."""
+"""Stored blocks: with the smallest, longer than LONGEST_S and the longest standstill check."""
 
 LEAST_PACE_S = 0.05
-"""The pace of a simulated rig does not follow from less than a block's time."""
+"""Shortest time for the pace of a simulated rig; longer than a block."""
 
-LONGEST_S = 0.4  # a slower answer is of no use to an interlock
+LONGEST_S = 0.4  # longest window of a speed; a slower response is useless for an interlock
 
 
 class Point(msgspec.Struct, frozen=True, gc=False):
-    """The end of one block; a Struct, which is made in a tenth of the time of a dataclass.
+    """End of a block; a Struct, which is created in a tenth of the time of a dataclass.
 
-    sample: device sample index. count: counts turned, in the rig's sense. phase: counts from the
-    index, None while the index is not known.
+    sample: device sample index. count: counts turned, in the rig's direction. phase: counts from
+    the index, None before the index is known.
     """
 
     sample: int
@@ -36,7 +36,7 @@ class Point(msgspec.Struct, frozen=True, gc=False):
 
 
 class MotionWindow:
-    """Remember the ends of the last blocks; the processing thread writes, any thread reads."""
+    """Ends of the last blocks; the processing thread writes, any thread reads."""
 
     def __init__(
         self, counts_per_revolution: int, sample_rate_Hz: float, index_angle_deg: float
@@ -46,11 +46,11 @@ class MotionWindow:
         self._index_deg = index_angle_deg
         self._points: deque[Point] = deque(maxlen=BLOCKS_KEPT)
         self._pace = 1.0
-        self._held_rpm: float | None = None
+        self._speed_before_gap_rpm: float | None = None
         self._lock = threading.Lock()
 
     def add(self, first: Point | None, last: Point, keep_s: float = 2.0) -> None:
-        """Add the ends of a block; points older than keep_s of host and device time go."""
+        """Add the ends of a block; drop points older than keep_s of host and device time."""
         with self._lock:
             if first is not None and not self._points:
                 self._points.append(first)
@@ -66,27 +66,27 @@ class MotionWindow:
                 points.popleft()
 
     def gap(self) -> None:
-        """Forget the points before samples went missing: across a gap there is no speed.
+        """Discard the points before missing samples, as there is no speed across a gap.
 
-        The speed before it holds until the samples after it give one.
+        The previous speed is returned until the samples after the gap suffice for one.
         """
         speed, pace = self.speed_rpm(), self.pace()
         with self._lock:
-            self._held_rpm, self._pace = speed, pace
+            self._speed_before_gap_rpm, self._pace = speed, pace
             self._points.clear()
 
     def newest(self) -> Point | None:
-        """Return the end of the newest block."""
+        """Return the end of the latest block."""
         with self._lock:
             return self._points[-1] if self._points else None
 
     def turns(self) -> tuple[float, float] | None:
-        """Return the turns counted up to the newest sample, and its device time in seconds."""
+        """Return the turns counted up to the latest sample, and its device time in seconds."""
         last = self.newest()
         return None if last is None else (last.count / self._turn, last.sample / self._rate)
 
     def turns_at(self, host_s: float) -> float | None:
-        """Return the turns counted up to a host time, None before data of it have come."""
+        """Return the turns counted up to a host time, None before later data are received."""
         with self._lock:
             later: Point | None = None
             for point in reversed(self._points):
@@ -99,28 +99,28 @@ class MotionWindow:
         return None
 
     def speed_rpm(self, window_s: float = 0.05) -> float:
-        """Return the mean speed over the last window_s of device time, one block at least.
+        """Return the mean speed over the last window_s of device time, at least one block.
 
-        For a slow crank the window grows, up to LONGEST_S, until enough counts have passed.
+        For a slow crank the window is extended, up to LONGEST_S, until it has ENOUGH_COUNTS.
         """
         with self._lock:
             if len(self._points) < 2:
-                return self._held_rpm or 0.0
+                return self._speed_before_gap_rpm or 0.0
             last = self._points[-1]
             first = self._back(window_s)
-            if self._held_rpm is not None:
+            if self._speed_before_gap_rpm is not None:
                 if last.sample - first.sample < window_s * self._rate:
-                    return self._held_rpm
-                self._held_rpm = None
+                    return self._speed_before_gap_rpm
+                self._speed_before_gap_rpm = None
         turned = (last.count - first.count) / self._turn
         return 60.0 * turned * self._rate / (last.sample - first.sample)
 
     def counts_in(self, samples: float, window_s: float) -> float:
-        """Return the counts during a number of samples at the mean speed of the last window_s."""
+        """Return the counts in a number of samples at the mean speed of the last window_s."""
         return abs(self.speed_rpm(window_s)) / 60.0 * self._turn * samples / self._rate
 
     def standing(self, window_s: float) -> bool:
-        """Return whether the count has not moved for window_s of device time."""
+        """Return whether the count has not changed for window_s of device time."""
         with self._lock:
             if not self._points:
                 return False
@@ -135,7 +135,7 @@ class MotionWindow:
         return False
 
     def pace(self) -> float:
-        """Return seconds of device time per second of host time: 1 but for a simulated rig."""
+        """Return device time over host time: 1 except for a simulated rig."""
         with self._lock:
             if len(self._points) < 2:
                 return self._pace
@@ -146,7 +146,7 @@ class MotionWindow:
         return (last.sample - first.sample) / self._rate / elapsed
 
     def angle_deg(self, now_s: float) -> float | None:
-        """Return the crank angle at a host time, extrapolated; None when it is not known."""
+        """Return the crank angle at a host time, extrapolated; None if unknown."""
         pace = self.pace()
         speed = self.speed_rpm()
         last = self.newest()

@@ -1,13 +1,12 @@
-"""The device time of samples that the encoder clocks: one a pulse, at no fixed times.
+"""Device time of samples with the encoder as clock: one per pulse, at irregular times.
 
-Time comes from the device where it records the pulse rate: the time from one pulse to the next is
-one over that rate. Without it the host's clock gives it, smoothed, as blocks come with the jitter
-of their transport. A rig in real time is tied to the host's clock in both cases: small deviations
-are evened out slowly, and a long silence is a standstill of the crank, before the first pulse
-after it. The time of a simulated rig is not the host's: it needs the pulse rate, and a standstill
-takes no time.
+If the device records the pulse rate, the time between pulses is its inverse. Else it is from the
+host's clock, smoothed because of the jitter of the blocks' transport. In real time, the device time
+follows the host's clock in both cases: small deviations are corrected slowly, and a long time
+without pulses is a standstill of the crank, before the next pulse. The time of a simulated rig is
+not the host's: it needs the pulse rate, and a standstill takes no time.
 
-Times are whole ticks of 1 ns, so that they are kept exactly over months.
+Times are integer ticks of 1 ns, exact over months.
 """
 
 from __future__ import annotations
@@ -23,27 +22,27 @@ from rigapp_drivers.api import Block
 TICKS_PER_S = 1_000_000_000.0
 
 LONGEST_PULSE_S = 2.0
-"""Between two pulses a turning crank takes no longer, however low the rate reads."""
+"""Longest time between pulses of a turning crank, for any recorded rate."""
 
 SNAP_S = 0.25
-"""Device time that is so far behind the host's has missed a standstill."""
+"""Lag of the device time behind the host's that indicates a standstill."""
 
 EVEN_OUT_S = 10.0
-"""A smaller deviation from the host's clock is evened out over this time ..."""
+"""Time in which a smaller deviation from the host's clock is corrected ..."""
 
 LARGEST_CHANGE = 0.005
-"""... by changing the intervals by this share at most."""
+"""... with at most this relative change of the intervals."""
 
 LEAST_SHARE = 0.05
-"""Of its own length, to which an interval is cut where device time is ahead: time never stops."""
+"""Least factor of an interval if device time is ahead: time must not stop."""
 
 SMOOTHING_S = 0.3
-"""Without a pulse rate: the interval between pulses is averaged over this time."""
+"""Averaging time of the interval between pulses without a pulse rate."""
 
 
 @dataclass(frozen=True, slots=True)
 class PulseRate:
-    """Where a Block carries the pulse rate: rate in Hz = scale * raw + offset."""
+    """Row of a Block with the pulse rate: rate in Hz = scale * raw + offset."""
 
     row: int
     scale: float
@@ -51,10 +50,10 @@ class PulseRate:
 
 
 class EncoderClock:
-    """Assign a time to every sample of a stream; called by one thread.
+    """Times of the samples of a stream; for one thread.
 
-    nominal_Hz: the usual pulse rate. rate: None where the device does not record it. real_time: the
-    host's clock can be relied on.
+    nominal_Hz: usual pulse rate. rate: None if the device does not record it. real_time: whether
+    the host's clock is valid.
     """
 
     def __init__(self, nominal_Hz: float, rate: PulseRate | None, real_time: bool) -> None:
@@ -68,13 +67,13 @@ class EncoderClock:
         self._next_sample = 0
 
     def quiet(self, host_time_ns: int) -> int:
-        """Return the time at a moment when no pulse has come; raises RuntimeError before any."""
+        """Return the device time at a host time without a pulse."""
         if self._now is None:
             self._now = self._host = host_time_ns
         return self._now + max(0, host_time_ns - self._host)
 
     def times(self, block: Block) -> NDArray[np.int64]:
-        """Return the time of each sample of the next block, (samples,), strictly growing."""
+        """Return the time of each sample of the next block, (samples,), strictly increasing."""
         n = block.values.shape[1]
         if self._now is None:
             self._host, self._next_sample = block.host_time_ns, block.first_sample
@@ -91,7 +90,7 @@ class EncoderClock:
         return ticks
 
     def _intervals(self, block: Block, n: int, lost: int) -> NDArray[np.float64]:
-        """Return the ticks before each sample, those of lost pulses with the first."""
+        """Return the ticks before each sample; those of lost pulses are added to the first."""
         rate = self._rate
         if rate is not None:
             rates = block.values[rate.row].astype(np.float64) * rate.scale + rate.offset
@@ -101,7 +100,7 @@ class EncoderClock:
             return intervals
         elapsed = block.host_time_ns - self._host
         if 0 < elapsed < SNAP_S * TICKS_PER_S:
-            # Weighted by pulses, not by the time itself, whose jitter would make it too long.
+            # Weighted by pulses, not by time, whose jitter would cause a bias to longer intervals.
             pulses = n + lost
             share = min(1.0, pulses * self._interval / (SMOOTHING_S * TICKS_PER_S))
             self._interval += share * (elapsed / pulses - self._interval)

@@ -1,8 +1,9 @@
-"""Slow channels: values that a device measures now and then, each with its age.
+"""Slow channels: values that a device measures occasionally, each with its age.
 
-Each slow device has a thread of its own that reads it; those of the drive come from the answers
-that the engine polls anyway. Nothing here delays a revolution or ends a test: a device that is
-silent gives no value and a growing age, raises a warning, and is opened again until it answers.
+Each slow device is read by its own thread; values of the drive are from its status, which the
+engine polls anyway. They never delay a revolution or end a test: without replies of a device, its
+age grows and its value becomes NaN, a warning is raised, and the device is reopened until it
+replies.
 """
 
 from __future__ import annotations
@@ -20,27 +21,27 @@ from rigapp_drivers.api import DeviceError, DriveStatus, Identity, SlowRequest
 from rigapp_drivers.edge import GuardedSlow
 
 PERIOD_S = 1.0
-"""A device is read once in so long: rooms and bushings take minutes to change by what such a
-device resolves, and a usual line takes 0.1 s for an answer."""
+"""Reading period of a device: rooms and bushings take minutes to change by the resolution of such a
+device, and a usual line takes 0.1 s for a reply."""
 
 SILENT_S = 10.0
-"""Without an answer for so long there is no value any more, and a warning: ten questions in a row
-are no passing disturbance of the line."""
+"""Time without a reply after which there is no value, and a warning: ten failed requests in a row
+are not a transient disturbance of the line."""
 
 REOPEN_S, LONGEST_REOPEN_S = 5.0, 60.0
-"""Between two attempts to open a lost device: a port that hangs takes some of it. The
-pause doubles with each failure: a device that is gone for days is not tried 100,000 times, and one
-that returns is found within a minute."""
+"""First and longest pause between attempts to open a lost device. It doubles with each failure, so
+that a device that is absent for days is not opened 100,000 times, and one that returns is opened
+within a minute."""
 
 
 FIRST_S = 2.0
-"""A connection waits so long for the first answers, so that the first values shown are true; a
-device that is there answers within a fraction of it."""
+"""Longest wait of a connection for the first replies, so that the first values shown are valid; a
+connected device replies within a fraction of it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One value and the host time (s, monotonic) at which it was read."""
+    """Value and host time (s, monotonic) of its reading."""
 
     value: float
     host_s: float
@@ -48,11 +49,12 @@ class Reading:
 
 NEVER = Reading(math.nan, -math.inf)
 MOST_READINGS = 4096
-"""Kept of each quantity: a drive that is read ten times a second fills 7 min, the longest turn."""
+"""Stored readings per quantity: 7 min of a drive that is read ten times per second, the longest
+turn."""
 
 
 def averages(readings: Iterable[Reading], begin_s: float, end_s: float) -> dict[str, float]:
-    """Return ``AVERAGES`` of the readings in a time, NaN without one, and how many there are."""
+    """Return ``AVERAGES`` of the readings in an interval, NaN without any, and their number."""
     values = [reading.value for reading in readings if begin_s < reading.host_s <= end_s]
     values = [value for value in values if math.isfinite(value)]
     count = len(values)
@@ -64,21 +66,21 @@ def averages(readings: Iterable[Reading], begin_s: float, end_s: float) -> dict[
 
 
 def reading_of(value: float, host_s: float, before: Reading | None) -> Reading:
-    """Return the reading of an answer; without a number it is None, and the age keeps growing."""
+    """Return the reading of a reply; for NaN with the host time of the previous one."""
     if math.isfinite(value):
         return Reading(value, host_s)
     return Reading(math.nan, before.host_s if before is not None else host_s)
 
 
 def keep(recent: dict[str, deque[Reading]], name: str, reading: Reading) -> None:
-    """Add a reading to the last ones of its quantity; the oldest are dropped."""
+    """Store a reading among the last ones of its quantity, dropping the oldest."""
     recent.setdefault(name, deque(maxlen=MOST_READINGS)).append(reading)
 
 
 class SlowDevice:
-    """A slow source with the thread that reads it.
+    """Slow source with the thread that reads it.
 
-    on_death: called when the thread ends by an error that no driver should raise.
+    on_death: called if the thread ends by an unexpected error of a driver.
     """
 
     def __init__(
@@ -104,11 +106,11 @@ class SlowDevice:
 
     @property
     def answering(self) -> bool:
-        """Return whether the device is open and has answered lately."""
+        """Return whether the device is open and its last reply is recent."""
         return self._open and time.monotonic() - self.answered_s < SILENT_S
 
     def reading(self, quantity: str) -> Reading:
-        """Return the newest reading of a quantity."""
+        """Return the latest reading of a quantity."""
         return self._readings.get(quantity, NEVER)
 
     def recent(self, quantity: str) -> list[Reading]:
@@ -116,11 +118,11 @@ class SlowDevice:
         return list(self._recent.get(quantity, ()))
 
     def await_first(self, timeout_s: float) -> bool:
-        """Wait until it has answered or failed to; False when neither came in time."""
+        """Wait for the first reply or error; return False after the time-out."""
         return self._answered.wait(timeout_s)
 
     def close(self) -> None:
-        """Release the device, in its thread or after that has ended."""
+        """Close the device, from its thread or after that has ended."""
         self._open = False
         self.source.close()
 
@@ -132,7 +134,7 @@ class SlowDevice:
                 self._open = True
             values = self.source.read()
         except DeviceError as error:
-            self._failed(error)
+            self._close_failed(error)
             return
         now = time.monotonic()
         self._readings = {
@@ -144,8 +146,8 @@ class SlowDevice:
         self._answered.set()
         self.worker.pause(PERIOD_S)
 
-    def _failed(self, error: DeviceError) -> None:
-        """Close the device, to be opened again: its state after a failure is unknown."""
+    def _close_failed(self, error: DeviceError) -> None:
+        """Close the device, to be reopened, as its state after a failure is unknown."""
         self.errors += 1
         self.last_error = error
         self._answered.set()
@@ -155,10 +157,10 @@ class SlowDevice:
 
 
 class SlowChannels:
-    """Return the values of a rig's slow channels; any thread may call it.
+    """Values of a rig's slow channels; thread-safe.
 
-    drive: name of the drive; status: its newest status, None before the first. age_s: how long ago
-    a host time was, to judge a silence by.
+    drive: name of the drive; status: returns its latest status, None before the first. age_s:
+    returns the age of a host time, for time-outs.
     """
 
     def __init__(
@@ -177,14 +179,14 @@ class SlowChannels:
         self._since_s = time.monotonic()
         self._drive_readings: dict[str, Reading] = {}
         self._drive_recent: dict[str, deque[Reading]] = {}
-        self._taken_ns = 0
+        self._status_ns = 0
 
     def take_drive(self) -> None:
-        """Take the drive's newest status; called after every answer."""
+        """Store the values of the drive's latest status; called after each reply."""
         status = self._status()
-        if status is None or status.host_time_ns == self._taken_ns:
+        if status is None or status.host_time_ns == self._status_ns:
             return
-        self._taken_ns = status.host_time_ns
+        self._status_ns = status.host_time_ns
         host_s = status.host_time_ns * 1e-9
         for channel in self.channels:
             if channel.device == self._drive:
@@ -194,27 +196,27 @@ class SlowChannels:
                 keep(self._drive_recent, channel.name, reading)
 
     def at(self, channel: Channel, host_s: float) -> tuple[float, float]:
-        """Return the value of a channel at a host time, NaN when it is too old, and its age, s."""
+        """Return the value of a channel at a host time, NaN if it is too old, and its age, s."""
         reading = self._reading(channel)
         age_s = max(0.0, host_s - max(reading.host_s, self._since_s))
         return (reading.value if age_s < SILENT_S else math.nan), age_s
 
     def columns(self, host_time_ns: int, lasted_s: float) -> dict[str, float]:
-        """Return the columns of all of them for a revolution, by name.
+        """Return the columns of all channels for a revolution, by name.
 
-        host_time_ns: its end. lasted_s: how long it took.
+        host_time_ns: of its end. lasted_s: its duration.
         """
         result: dict[str, float] = {}
         end_s = host_time_ns * 1e-9
         for channel in self.channels:
             result[channel.name], result[f"{channel.name}_age"] = self.at(channel, end_s)
             if channel.averaged:
-                kept = averages(self._recent(channel), end_s - lasted_s, end_s)
-                result |= {f"{channel.name}_{name}": value for name, value in kept.items()}
+                statistics = averages(self._recent(channel), end_s - lasted_s, end_s)
+                result |= {f"{channel.name}_{name}": value for name, value in statistics.items()}
         return result
 
     def silent(self) -> Iterator[tuple[SlowDevice, float]]:
-        """Yield the devices that have not answered for too long, with the seconds."""
+        """Yield the devices without recent replies, with the time since the last one, s."""
         for device in self.devices.values():
             age_s = self._age_s(device.answered_s)
             if age_s >= SILENT_S:

@@ -1,18 +1,17 @@
-"""Follow the counter sample by sample: position, revolution cuts, everything suspicious.
+"""Unwrapping of the counter sample by sample: position, revolutions, faults.
 
-All state is in one vector, ``state``, so that the result cannot depend on how the samples came in
-blocks.
+The complete state is in one array, ``state``, so that the result does not depend on the division of
+the samples into blocks.
 
-A revolution ends when the position has gone one whole revolution away from its base, in either
-direction, so that swinging back and forth over the index cuts once. Where the counter restarts at
-the index, the cut waits for the index event; when the count has run an eighth of a turn beyond
-without one, the cut is made where the count says, and flagged.
+A revolution ends when the position is one complete revolution from its base, in either direction,
+so that swinging over the index ends one only. If the counter restarts at the index, the end waits
+for the index event; an eighth of a turn later without one, the revolution ends according to the
+count, and is flagged.
 
-Terms. *step*: counts turned from one sample to the next. *index event*: the counter was
-set to zero by the index pulse between two samples. *base*: position of the index at which the
-present revolution began. *odd*: a step that no motion explains. *skip*: a jump of the count that
-stays, and that the next index confirms: samples went missing, as an encoder that loses counts comes
-to the index with a wrong count.
+Terms. *step*: counts from one sample to the next. *index event*: the index pulse set the counter to
+zero between two samples. *base*: position of the index at which the present revolution began.
+*odd*: a step that no motion explains. *skip*: a permanent jump of the count that the next index
+confirms: samples are missing, as after lost counts of the encoder the count at the index is wrong.
 """
 
 from __future__ import annotations
@@ -45,49 +44,49 @@ _PAUSED = int(Flag.PAUSED)
 _SENSOR_FAULT = int(Flag.SENSOR_FAULT)
 
 LARGEST_GAP_REVOLUTIONS = 25
-"""Longest gap for which the number of lost revolutions is certain.
+"""Revolutions in a gap beyond which their number is uncertain.
 
-A speed that is wrong by 2 % misses half a revolution in 25.
+An error of the speed of 2 % is half a revolution in 25.
 """
 DITHER = 2
-"""Counts: an edge that falls just before or after a sample, at each end of a step."""
+"""Uncertainty of a step in counts: an edge just before or after a sample, at each end."""
 NUDGE = 4
-"""Counts by which a stationary crank may shake: twice the dither. More is turning back."""
+"""Vibration of a stationary crank, counts: twice the dither. More is a reversal."""
 ACCELERATES = 8
-"""Reciprocal of the largest relative change between steps, in addition to the tolerance.
+"""Inverse of the largest relative change of consecutive steps, besides the encoder's tolerance.
 
-An eighth within one sample is more than any drive does.
+An eighth within one sample exceeds the acceleration of any drive.
 """
 INDEX_STEADY = 50
-"""Reciprocal of the relative error of the count at the index: a drive's ripple of 2 %."""
+"""Inverse of the error of the count at the index relative to a step: a drive's ripple of 2 %."""
 INDEX_NEAR = 8
-"""Reciprocal of the search range, in turns, for the index around its expected count.
+"""Inverse of the distance, in turns, from the expected position within which an index is accepted.
 
-Half a turn off it could be either index; within an eighth it is plain which one it is.
+At half a turn the index is ambiguous; within an eighth it is not.
 """
 STEP_MOST = 4
-"""Reciprocal of the largest step, in turns: a longer one could as well be one backwards."""
+"""Inverse of the largest step, in turns; a longer one could be a backward step."""
 STEPS_OF_MEAN = 64
-"""Steps over which the speed before a gap is averaged: it is then known to 1/64 of the dither."""
+"""Steps averaged for the speed before a gap, which is then known to 1/64 of the dither."""
 WHOLE_WITHIN = 100
-"""Reciprocal of the part of a turn by which the end may be missed; else it is partial.
+"""Inverse of the distance, in turns, from an end of a revolution beyond which it is partial.
 
 1 % of a turn is 3.6 degrees, within which forces of the mechanism change by some per cent.
 """
 PLAIN_STEP = 2 * NUDGE
-"""Counts by which a step may always differ from the last: with the least tolerance, of 1 count."""
+"""Change of step that is always allowed, counts: that with the least tolerance, 1 count."""
 
 
 @njit("int64(int64, int64)", cache=True, nogil=True)
 def wrap(value: int, modulus: int) -> int:
-    """Return the value modulo ``modulus`` that lies in [-modulus/2, modulus/2)."""
+    """Return the value modulo ``modulus`` in [-modulus/2, modulus/2)."""
     half = modulus // 2
     return (value + half) % modulus - half
 
 
 @njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _begin_counting(count: int, state: Counts, parameters: Counts) -> None:
-    """Take the first count of all: it gives the angle of the crank only if it never restarts."""
+    """Process the very first count, which gives the crank angle only if it never restarts."""
     restarts = parameters[ParameterAt.RESTARTS] != 0
     start = 0 if restarts else count
     state[StateAt.STARTED] = 1
@@ -100,13 +99,13 @@ def _begin_counting(count: int, state: Counts, parameters: Counts) -> None:
 
 
 @njit("void(int64[::1])", cache=True, nogil=True)
-def _doubt(state: Counts) -> None:
+def _flag_mismatch(state: Counts) -> None:
     state[StateAt.FLAGS] |= _COUNT_MISMATCH
 
 
 @njit("void(int64, int64[::1], int64[::1])", cache=True, nogil=True)
 def _skip(jump: int, state: Counts, parameters: Counts) -> None:
-    """Record a jump that stays."""
+    """Record a permanent jump."""
     if abs(jump) > DITHER + parameters[ParameterAt.TOLERANCE]:
         state[StateAt.SKIPPED] += jump
         state[StateAt.SKIPS] += 1
@@ -117,7 +116,7 @@ def _skip(jump: int, state: Counts, parameters: Counts) -> None:
 def _over_gap(
     count: int, step: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts
 ) -> int:
-    """Move over a gap in the samples, by the speed before it, and return the counts moved."""
+    """Extrapolate over a gap in the samples by the speed before it; return the counts moved."""
     turn, restarts = parameters[ParameterAt.COUNTS], parameters[ParameterAt.RESTARTS] != 0
     if restarts:
         foreseen = mean_step[0] * (max(lost, 0) + 1)
@@ -136,7 +135,7 @@ def _over_gap(
 
 @njit("void(int64, int64[::1])", cache=True, nogil=True)
 def _lock(phase: int, state: Counts) -> None:
-    """Take the first index: from here on the angle is known, and the first revolution begins."""
+    """Process the first index, which gives the angle; the first revolution begins."""
     state[StateAt.LOCKED] = 2
     state[StateAt.BASE] = 0
     state[StateAt.POSITION] = phase
@@ -152,7 +151,7 @@ def _lock(phase: int, state: Counts) -> None:
 def _pass_index(
     phase: int, step: int, wrapped: bool, at_zero: bool, state: Counts, parameters: Counts
 ) -> None:
-    """Classify a count that was set to zero: index, index with lost counts, or no index."""
+    """Classify a count that was set to zero: an index, an index after lost counts, or none."""
     turn, tolerance = parameters[ParameterAt.COUNTS], parameters[ParameterAt.TOLERANCE]
     odd, expected, base = state[StateAt.ODD] != 0, state[StateAt.STEP], state[StateAt.BASE]
     target = state[StateAt.BEFORE] + expected
@@ -166,33 +165,33 @@ def _pass_index(
             state[StateAt.OTHER] = target
             state[StateAt.OTHER_VALID] = 1
         if abs(deviation) > DITHER + tolerance + abs(expected) // INDEX_STEADY:
-            _doubt(state)
+            _flag_mismatch(state)
             if at_zero:
                 state[StateAt.OFF_INDEX] = 1
             else:
                 _skip(-deviation, state, parameters)
     elif wrapped and not odd:
-        # A whole turn of counts since the last index: the counter is right again.
-        ahead = (state[StateAt.BEFORE] - base) // turn + (1 if step >= 0 else 0)
-        state[StateAt.POSITION] = base + ahead * turn + phase
+        # A complete turn of counts since the last index: the counter is correct again.
+        turns = (state[StateAt.BEFORE] - base) // turn + (1 if step >= 0 else 0)
+        state[StateAt.POSITION] = base + turns * turn + phase
         state[StateAt.SEEN] = 1
         state[StateAt.OFF_INDEX] = 1
-        _doubt(state)
+        _flag_mismatch(state)
     else:
         state[StateAt.POSITION] = target
         state[StateAt.JUMPED] = 0 if at_zero else 1
         state[StateAt.OFF_INDEX] |= 1 if at_zero else 0
         state[StateAt.JUMP_STEP] = step
-        _doubt(state)
+        _flag_mismatch(state)
     if not odd:
         state[StateAt.STEP] = step
 
 
 @njit("int64(int64, int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
-def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Counts) -> int:
-    """Classify an implausible step: a wrong reading is bridged, a lasting jump is motion.
+def _classify_odd_step(count: int, step: int, slack: int, state: Counts, parameters: Counts) -> int:
+    """Classify an odd step: a wrong reading is bridged, a repeated jump is motion.
 
-    Returns the counts that the crank is taken to have moved.
+    Returns the assumed motion of the crank in counts.
     """
     turn, expected = parameters[ParameterAt.COUNTS], state[StateAt.STEP]
     near = DITHER + parameters[ParameterAt.TOLERANCE] + abs(expected) // ACCELERATES
@@ -204,11 +203,11 @@ def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Co
     else:
         aligned = count
     if state[StateAt.OTHER_VALID]:
-        # A single zero reading near the index was taken for the index: go back.
-        former = state[StateAt.OTHER] + expected
-        if abs(wrap(count - former, turn)) <= near:
-            target = former
-            aligned = former + wrap(count - former, turn)
+        # A single zero reading near the index was mistaken for the index: revert.
+        reverted = state[StateAt.OTHER] + expected
+        if abs(wrap(count - reverted, turn)) <= near:
+            target = reverted
+            aligned = reverted + wrap(count - reverted, turn)
     if abs(aligned - target) <= near:
         state[StateAt.POSITION] = aligned
         state[StateAt.JUMPED] = 0
@@ -222,16 +221,16 @@ def _doubt_step(count: int, step: int, slack: int, state: Counts, parameters: Co
     state[StateAt.JUMPED] = 1
     state[StateAt.JUMP_STEP] = step
     if state[StateAt.LOCKED]:
-        _doubt(state)
+        _flag_mismatch(state)
     return expected
 
 
 @njit("void(int64, int64, int64[::1], int64[::1])", cache=True, nogil=True)
-def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
-    """Take an ordinary step; after a jump that has stayed, follow the count again."""
+def _regular_step(count: int, step: int, state: Counts, parameters: Counts) -> None:
+    """Process an ordinary step; after a permanent jump, follow the count again."""
     now = state[StateAt.BEFORE] + step
     if state[StateAt.JUMPED] and state[StateAt.LOCKED]:
-        # Samples went missing unseen: the count is right, the position was not.
+        # Unreported missing samples: the count is correct, the position was not.
         turn = parameters[ParameterAt.COUNTS]
         jump = wrap(count - now, turn) if parameters[ParameterAt.RESTARTS] != 0 else count - now
         if abs(jump) <= turn // 2:
@@ -243,11 +242,13 @@ def _step_on(count: int, step: int, state: Counts, parameters: Counts) -> None:
 
 
 @njit("void(int64, int64, int64[::1], float64[::1], int64[::1])", cache=True, nogil=True)
-def _follow(count: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts) -> None:
-    """Follow the count of one sample. lost: samples lost before it, -1 unknown.
+def _process_count(
+    count: int, lost: int, state: Counts, mean_step: Floats, parameters: Counts
+) -> None:
+    """Process the count of one sample. lost: samples lost before it, -1 if unknown.
 
-    Leaves in the state: POSITION, what it was BEFORE, whether the index was SEEN, the step was ODD,
-    a GAP lay before, and LOCKED = 2 at the first index of all.
+    Sets in the state: POSITION, the position BEFORE, flags of an index SEEN, an ODD step, a GAP
+    before, and LOCKED = 2 at the very first index.
     """
     turn, tolerance = parameters[ParameterAt.COUNTS], parameters[ParameterAt.TOLERANCE]
     restarts = parameters[ParameterAt.RESTARTS] != 0
@@ -284,11 +285,11 @@ def _follow(count: int, lost: int, state: Counts, mean_step: Floats, parameters:
                 _pass_index(phase, step, wrapped, at_zero, state, parameters)
         elif odd:
             state[StateAt.OTHER_VALID] = had_other
-            move = _doubt_step(count, step, slack, state, parameters)
+            move = _classify_odd_step(count, step, slack, state, parameters)
             state[StateAt.OTHER_VALID] = 0
         else:
             state[StateAt.OTHER_VALID] = 0
-            _step_on(count, step, state, parameters)
+            _regular_step(count, step, state, parameters)
         mean_step[0] += (state[StateAt.STEP] - mean_step[0]) / STEPS_OF_MEAN
     if state[StateAt.LOCKED] == 0:
         state[StateAt.UNLOCKED_TURN] += step
@@ -305,7 +306,7 @@ def _follow(count: int, lost: int, state: Counts, mean_step: Floats, parameters:
 def _event(
     events: Counts, row: int, kind: int, kept: int, sample: int, end: int, state: Counts
 ) -> int:
-    """Write an event; return the number of events now."""
+    """Write an event; return the number of events."""
     events[row, EventAt.KIND] = kind
     events[row, EventAt.KEPT] = kept
     events[row, EventAt.SAMPLE] = sample
@@ -321,7 +322,7 @@ def _event(
 
 @njit("void(uint8, int64[::1])", cache=True, nogil=True)
 def _note_marks(mark: int, state: Counts) -> None:
-    """Turn a sample's marks (``rigapp_drivers.api.Quality``) into flags of its revolution."""
+    """Convert a sample's marks (``rigapp_drivers.api.Quality``) to flags of its revolution."""
     if mark & 1:
         state[StateAt.FLAGS] |= _SATURATED
     if mark & 6:
@@ -333,26 +334,28 @@ def _note_marks(mark: int, state: Counts) -> None:
 
 
 @njit("int64(int64, int64[::1], int64[::1])", cache=True, nogil=True)
-def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
-    """Return how many revolutions end with this sample, negative backwards, 0 for none."""
+def _revolutions_ended(sample: int, state: Counts, parameters: Counts) -> int:
+    """Return the number of revolutions that end with this sample, negative if backwards."""
     turn = parameters[ParameterAt.COUNTS]
     ahead = state[StateAt.POSITION] - state[StateAt.BASE]
     if -turn < ahead < turn:
         state[StateAt.PENDING] = 0
         return 0
-    # A crank that had turned back onto the index comes to the next one with a count of 0: setting
-    # it to 0 cannot be seen then, and the count itself gives the index.
-    shows = state[StateAt.PREVIOUS] == ahead - turn
-    seen = state[StateAt.SEEN] != 0 or shows
-    sure = ahead < 0 or seen or state[StateAt.GAP] != 0 or parameters[ParameterAt.RESTARTS] == 0
-    if state[StateAt.PENDING] == 0 or sure:
+    # A crank that had turned back to the index reaches the next one with a count of 0: the reset
+    # is then not visible, and the count itself gives the index.
+    count_at_index = state[StateAt.PREVIOUS] == ahead - turn
+    seen = state[StateAt.SEEN] != 0 or count_at_index
+    confirmed = (
+        ahead < 0 or seen or state[StateAt.GAP] != 0 or parameters[ParameterAt.RESTARTS] == 0
+    )
+    if state[StateAt.PENDING] == 0 or confirmed:
         state[StateAt.PENDING_KEPT] = state[StateAt.KEPT]
         state[StateAt.PENDING_SAMPLE] = sample
         state[StateAt.PENDING_POSITION] = state[StateAt.POSITION]
     if ahead < 0:
         state[StateAt.FLAGS] |= _REVERSED
         return -((-ahead) // turn)
-    if not sure:
+    if not confirmed:
         state[StateAt.PENDING] = 1
         if ahead - turn <= parameters[ParameterAt.MISSED_AFTER]:
             return 0
@@ -365,17 +368,17 @@ def _crossed(sample: int, state: Counts, parameters: Counts) -> int:
 def _cut(
     crossed: int, lost: int, events: Counts, count: int, state: Counts, parameters: Counts
 ) -> int:
-    """End a revolution and begin the next; return the number of events now."""
+    """End a revolution and begin the next; return the number of events."""
     turn = parameters[ParameterAt.COUNTS]
     base = state[StateAt.BASE] + crossed * turn
-    carried = 0
+    next_flags = 0
     if state[StateAt.GAP]:
-        carried = _GAP_BEFORE | _LOST_SAMPLES
-        state[StateAt.LOST] -= max(lost, 0)  # they count for the revolution that begins
+        next_flags = _GAP_BEFORE | _LOST_SAMPLES
+        state[StateAt.LOST] -= max(lost, 0)  # counted in the revolution that begins
         if abs(base - state[StateAt.BEFORE]) > turn // WHOLE_WITHIN or abs(crossed) > 1:
             state[StateAt.FLAGS] |= _PARTIAL
         if abs(state[StateAt.POSITION] - base) > turn // WHOLE_WITHIN:
-            carried |= _PARTIAL
+            next_flags |= _PARTIAL
     kept, sample, end = (
         state[StateAt.PENDING_KEPT],
         state[StateAt.PENDING_SAMPLE],
@@ -387,7 +390,7 @@ def _cut(
     state[StateAt.INSIDE] = 1
     state[StateAt.BASE] = base
     state[StateAt.ORDINAL] += abs(crossed)
-    state[StateAt.FLAGS] = carried
+    state[StateAt.FLAGS] = next_flags
     state[StateAt.LOST] = max(lost, 0) if state[StateAt.GAP] else 0
     state[StateAt.IDLE] = 0
     state[StateAt.SKIPPED], state[StateAt.OFF_INDEX] = 0, 0
@@ -397,8 +400,8 @@ def _cut(
 
 
 @njit("boolean(int64[::1], int64[::1])", cache=True, nogil=True)
-def _worth_keeping(state: Counts, parameters: Counts) -> bool:
-    """Return whether a sample is kept: no long standstill, and memory left."""
+def _is_stored(state: Counts, parameters: Counts) -> bool:
+    """Return whether a sample is stored: no long standstill, and memory available."""
     if state[StateAt.RUN] > parameters[ParameterAt.IDLE_AFTER]:
         state[StateAt.IDLE] += 1
         state[StateAt.FLAGS] |= _PAUSED
@@ -412,10 +415,10 @@ def _worth_keeping(state: Counts, parameters: Counts) -> bool:
 
 @njit("int64(int64, int64, int64[:, ::1], int64, int64[::1], int64[::1])",
             cache=True, nogil=True)  # fmt: skip
-def _place(
+def _process_sample(
     sample: int, lost: int, events: Counts, count: int, state: Counts, parameters: Counts
 ) -> int:
-    """Begin, go on with, or end a revolution at a sample; return the number of events now."""
+    """Begin, continue or end a revolution at a sample; return the number of events."""
     now = state[StateAt.POSITION]
     if state[StateAt.LOCKED] == 2:
         state[StateAt.LOCKED] = 1
@@ -426,7 +429,7 @@ def _place(
         state[StateAt.HIGH] = now
     if state[StateAt.LOCKED] == 0:
         return count
-    crossed = _crossed(sample, state, parameters)
+    crossed = _revolutions_ended(sample, state, parameters)
     if crossed != 0:
         return _cut(crossed, lost, events, count, state, parameters)
     if now > state[StateAt.HIGH]:
@@ -448,9 +451,9 @@ def _plain_run(
     position: Counts,
     keep: NDArray[np.uint8],
 ) -> int:
-    """Take small steps forward within a revolution as long as they last; return where they end.
+    """Process consecutive small forward steps within a revolution; return the index of their end.
 
-    Nearly every sample is one; the result is the same as by the full path.
+    Applies to nearly all samples; the result is the same as by the full path.
     """
     turn, direction = parameters[ParameterAt.COUNTS], parameters[ParameterAt.DIRECTION]
     if (
@@ -465,7 +468,7 @@ def _plain_run(
         return start
     previous, now, step = state[StateAt.PREVIOUS], state[StateAt.POSITION], state[StateAt.STEP]
     base, high, mean = state[StateAt.BASE], state[StateAt.HIGH], mean_step[0]
-    half, smooth = turn // 2, min(PLAIN_STEP, turn // STEP_MOST)
+    half, slack = turn // 2, min(PLAIN_STEP, turn // STEP_MOST)
     room = parameters[ParameterAt.CAPACITY] - state[StateAt.KEPT] + state[StateAt.START_KEPT]
     end = min(counts.shape[0], start + room)
     i = start
@@ -476,7 +479,7 @@ def _plain_run(
         if (
             delta <= 0
             or delta >= half
-            or abs(delta - step) > smooth
+            or abs(delta - step) > slack
             or abs(following - base) >= turn
             or following < high - NUDGE
         ):
@@ -505,7 +508,7 @@ def _plain_run(
     nogil=True,
 )
 def counted(raw: Floats, scale: float, offset: float, out: Counts) -> bool:
-    """Write the counts that samples (n,) carry to out[:n]; return whether each is a number."""
+    """Write the counts of samples (n,) to out[:n]; return False if one is not finite."""
     for i in range(raw.shape[0]):
         signal = raw[i] * scale + offset
         if not np.isfinite(signal):
@@ -528,13 +531,13 @@ def scan(
     keep: NDArray[np.uint8],
     events: Counts,
 ) -> int:
-    """Follow the counts of one block and return the number of events.
+    """Unwrap the counts of one block and return the number of events.
 
     counts: (n,) raw counts. quality: (n,) flags of ``rigapp_drivers.api.Quality``. first_sample:
-    device index of the first. lost: samples lost before it, 0 none, -1 unknown. state, mean_step:
-    memory between calls. parameters: see ``ParameterAt``. position: (n,) out, unwrapped counts in
-    the rig's positive sense. keep: (n,) out, 0 for samples not worth keeping. events: (rows,
-    EventAt.SIZE) out, 2 n rows at least.
+    device index of the first. lost: samples lost before it, -1 if unknown. state, mean_step:
+    preserved between calls. parameters: see ``ParameterAt``. position: (n,) out, unwrapped counts
+    in the rig's positive direction. keep: (n,) out, 0 for samples that are not stored. events:
+    (rows, EventAt.SIZE) out, at least 2 n rows.
     """
     result = 0
     i = 0
@@ -548,13 +551,13 @@ def scan(
         if state[StateAt.STARTED] == 0:
             _begin_counting(count, state, parameters)
         else:
-            _follow(count, missing, state, mean_step, parameters)
+            _process_count(count, missing, state, mean_step, parameters)
             if i == 0:
                 state[StateAt.TRAVEL_FIRST] = state[StateAt.TRAVEL]
             _note_marks(quality[i], state)
-            result = _place(sample, missing, events, result, state, parameters)
+            result = _process_sample(sample, missing, events, result, state, parameters)
         position[i] = state[StateAt.POSITION]
-        keep[i] = 1 if _worth_keeping(state, parameters) else 0
+        keep[i] = 1 if _is_stored(state, parameters) else 0
         if keep[i]:
             if state[StateAt.SKIPPING] or state[StateAt.GAP]:
                 now = state[StateAt.POSITION]

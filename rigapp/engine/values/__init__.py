@@ -1,1 +1,1 @@
-"""Raw samples to engineering units, once, and their statistics."""
+"""Conversion of raw samples to engineering units, and their statistics."""

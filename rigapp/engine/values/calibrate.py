@@ -1,17 +1,17 @@
-"""Turn raw samples into forces, pin positions and free channels with the calibration of a test.
+"""Conversion of raw samples to forces, pin positions and free channels.
 
 The load cell gives force on the pin = matrix (signal - zero) in the crank frame. The joint force F
-is the one on the follower by the pin: F = -(force on the pin). force_1 is its component along the
-crank (e1), force_2 the one across it (n1). The weight of the pin outboard of the gauges turns
-about the cell once a revolution and is taken off at the angle of each sample. Probes: position =
-sensitivity (voltage - offset), in the follower frame. A free channel: scale (voltage - offset), or
-the value in its table.
+is that on the follower by the pin: F = -(force on the pin). force_1 is its component along the
+crank (e1), force_2 that across it (n1). The weight of the pin outboard of the gauges rotates
+relative to the cell and is subtracted at the angle of each sample. Probes: position = sensitivity
+(voltage - offset), in the follower frame. A free channel: scale (voltage - offset), or the value of
+its table.
 
-Latency. The analog filter delays a channel by ``latency``, the counter has no delay: the value that
-belongs to the count of sample i is the signal at i + latency * rate. It is interpolated linearly
-between its two neighbours, which can neither overshoot nor invent a peak. The neighbours beyond the
-end of a revolution are the first samples of the next one, so a revolution is calibrated when these
-have arrived; across a break in time the nearest sample is held, and the revolution is flagged.
+Latency. The analog filter delays a channel by ``latency``, the counter has no delay: the value at
+the count of sample i is the signal at i + latency * rate, by linear interpolation between two
+samples, which cannot cause overshoot or false peaks. At the end of a revolution these are the first
+samples of the next one, so a revolution is calibrated after they have arrived; at a break in time
+the nearest sample is used, and the revolution is flagged.
 """
 
 from __future__ import annotations
@@ -42,12 +42,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """The calibration of one test, frozen at its start: raw samples to values.
+    """Calibration of one test, frozen at its start: from raw samples to values.
 
-    wires: the inputs, in the order of ``table.sampled``; arrays (inputs, samples) here have that
-    order; ``inputs_of`` gives the indices. scalars: what the free ones among them mean, by
-    name. index_angle_rad: crank angle at the index. sample_rate_Hz: nominal where the encoder is
-    the clock.
+    wires: the inputs, in the order of ``table.sampled``, which is that of all arrays (inputs,
+    samples) here; ``inputs_of`` returns the indices. scalars: calibration of the free inputs, by
+    name. index_angle_rad: crank angle at the index. sample_rate_Hz: nominal with the encoder as
+    clock.
     """
 
     table: ChannelTable
@@ -62,7 +62,7 @@ class Calibration:
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Return the channels of the inputs, in the order of every array here."""
+        """Return the channels of the inputs, in the order of the arrays."""
         return tuple(wire.channel.name for wire in self.wires)
 
     def inputs_of(self, instrument: str) -> list[int]:
@@ -76,7 +76,7 @@ class Calibration:
 
     @cached_property
     def latency_s(self) -> Array:
-        """Return the inputs' delays against the encoder."""
+        """Return the inputs' delays relative to the encoder."""
         return np.array([wire.channel.latency_s for wire in self.wires])
 
     @cached_property
@@ -86,7 +86,7 @@ class Calibration:
 
     @cached_property
     def lines(self) -> dict[str, InputLine]:
-        """Return what each single input means, by channel: probes, uncorrected, and free ones."""
+        """Return the calibration of single inputs by channel: uncorrected probes, free channels."""
         probes = zip(self.table.names_of(PROBES), self.probes.lines(), strict=True)
         return {**dict(probes), **self.scalars}
 
@@ -102,7 +102,7 @@ class Calibration:
 
     @cached_property
     def shift(self) -> tuple[NDArray[np.int64], Array]:
-        """Return latency * rate of the inputs as whole samples and the fraction 0 .. 1."""
+        """Return latency * rate of the inputs as integer samples and fraction 0 .. 1."""
         samples = np.round(self.latency_s * self.sample_rate_Hz, 9)
         floor = np.floor(samples)
         return floor.astype(np.int64), samples - floor
@@ -114,9 +114,9 @@ class Calibration:
 
     @cached_property
     def own_weight(self) -> Array:
-        """Return what the force gains for the weight of the pin, (2, counts of a turn) N.
+        """Return the correction of the force for the pin's weight, (2, counts of a turn) N.
 
-        (2, 0) where the pin weighs nothing in the plane of the crank.
+        (2, 0) if the pin has no weight in the plane of the crank.
         """
         turn = self.encoder.counts_per_revolution if self.load_cell.pull.any() else 0
         return np.ascontiguousarray(self.load_cell.own_weight(self.angles(np.arange(turn))))
@@ -127,14 +127,14 @@ class Calibration:
         return np.asarray(self.index_angle_rad + counts * step, np.float64)
 
     def counts_at(self, angle_rad: float) -> NDArray[np.int64]:
-        """Return the count from the index that is nearest to a crank angle, (1,)."""
+        """Return the count from the index nearest to a crank angle, (1,)."""
         step = 2 * math.pi / self.encoder.counts_per_revolution
         return np.array([round((angle_rad - self.index_angle_rad) / step)], np.int64)
 
     def engineering(self, raw: Array, counts: NDArray[np.int64] | None = None) -> Array:
-        """Return the values (inputs, samples), of raw samples likewise; probes uncorrected.
+        """Return the values (inputs, samples) of raw samples (inputs, samples); probes uncorrected.
 
-        counts: from the index, (samples,); without them the weight of the pin stays in the forces.
+        counts: from the index, (samples,); without them the forces include the pin's weight.
         """
         values = np.empty_like(raw)
         pair = self.inputs_of(LOAD_CELL)
@@ -163,20 +163,20 @@ class Calibration:
     def with_tare(self, tare: Sequence[float], angle: float | None = None) -> Calibration:
         """Return this calibration with another tare of the load cell, in signal units.
 
-        angle: of the crank where it was taken, rad, None where it is not known.
+        angle: of the crank when it was taken, rad, None if unknown.
         """
         cell = replace(self.load_cell, tare=np.asarray(tare, np.float64), tare_angle=angle)
         return replace(self, load_cell=cell)
 
     def under(self, gravity_m_s2: Sequence[float]) -> Calibration:
-        """Return this calibration in the plane of a test, by gravity in the mechanism's frame."""
+        """Return this calibration for the plane of a test, by gravity in the mechanism's frame."""
         return replace(self, load_cell=self.load_cell.under(gravity_m_s2))
 
 
 def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any], int]:
-    """Return the values with full margins, and where the revolution begins in them.
+    """Return the values with full margins, and the index at which the revolution begins.
 
-    Where a margin is missing, because time is broken there, the nearest sample is held.
+    A margin missing at a break in time is filled with the nearest sample.
     """
     values, before = revolution.values, revolution.before
     after = values.shape[1] - before - revolution.samples
@@ -187,7 +187,7 @@ def with_margins(revolution: Revolution, margins: Margins) -> tuple[NDArray[Any]
 
 
 def shifted(revolution: Revolution, calibration: Calibration) -> Array:
-    """Return the raw inputs (inputs, samples), latency corrected."""
+    """Return the raw inputs (inputs, samples), corrected for latency."""
     if revolution.ticks is not None:
         return _shifted_by_time(revolution, revolution.ticks, calibration)
     delay, part = calibration.shift
@@ -206,9 +206,9 @@ def shifted(revolution: Revolution, calibration: Calibration) -> Array:
 def _shifted_by_time(
     revolution: Revolution, ticks: NDArray[np.int64], calibration: Calibration
 ) -> Array:
-    """Return the same for samples that come at no fixed times; at the ends the last is held."""
+    """Return the same for samples at irregular times; constant beyond the ends."""
     inside = slice(revolution.before, revolution.before + revolution.samples)
-    # Differences of whole ticks are exact; the ticks themselves are too large for a float64.
+    # Differences of integer ticks are exact; the ticks themselves are too large for a float64.
     time = (ticks - ticks[0]).astype(np.float64)
     out = np.empty((len(calibration.wires), revolution.samples))
     for i, row in enumerate(calibration.rows):
@@ -219,11 +219,11 @@ def _shifted_by_time(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Calibrated:
-    """A calibrated revolution, arrays of (samples,).
+    """Calibrated revolution, arrays of (samples,).
 
-    angle_rad: crank angle of each sample, from the whole counts. time_s: device time since the
-    sample with index 0. curves: the channels with a value at each sample, by name and in the order
-    of ``ChannelTable.curves``, in their own units and frames.
+    angle_rad: crank angle of each sample, from the counts. time_s: device time since the sample
+    with index 0. curves: the channels with a value at each sample, by name and in the order of
+    ``ChannelTable.curves``, in their own units and frames.
     """
 
     angle_rad: Array
@@ -236,7 +236,7 @@ class Calibrated:
 
 
 def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
-    """Return the revolution in engineering units."""
+    """Convert a revolution to engineering units."""
     values = calibration.engineering(shifted(revolution, calibration), revolution.counts)
     if calibration.probes.correction is not None:
         pair = calibration.inputs_of(PROBES)
@@ -251,7 +251,7 @@ def calibrate(revolution: Revolution, calibration: Calibration) -> Calibrated:
 
 
 class Measured:
-    """One revolution of a test and its calibration: raw, and calibrated once on request."""
+    """Revolution of a test with its calibration; converted once, on demand."""
 
     __slots__ = ("_calibrated", "calibration", "revolution")
 
@@ -262,14 +262,14 @@ class Measured:
 
     @property
     def calibrated(self) -> Calibrated:
-        """Return it in engineering units, calculated at the first call."""
+        """Return the revolution in engineering units, computed at the first call."""
         result = self._calibrated
         if result is None:
             result = self._calibrated = calibrate(self.revolution, self.calibration)
         return result
 
     def signals(self) -> dict[str, Array]:
-        """Return the signals (samples,) as the device sent them, by channel, and ``count``."""
+        """Return the signals (samples,) as sent by the device, by channel, and ``count``."""
         revolution, kind = self.revolution, self.calibration
         inside = slice(revolution.before, revolution.before + revolution.samples)
         raw = revolution.values[:, inside]
@@ -277,9 +277,10 @@ class Measured:
         return {**result, "count": raw[kind.counter.row]}
 
     def kept(self) -> Measured:
-        """Return it to be kept in memory: a copy of the raw samples alone.
+        """Return a copy of the raw samples only, for storage in memory.
 
-        A view would hold the assembler's whole buffer, calibrated values several times the bytes.
+        A view would reference the assembler's whole buffer; calibrated values have several times
+        the size.
         """
         revolution = self.revolution
         if revolution.values.base is not None:
@@ -288,9 +289,9 @@ class Measured:
 
 
 def calibration_of(rig: RigFile, setup: StreamSetup) -> Calibration:
-    """Freeze the calibration of a rig file for a device set up so; raise UnusableInput."""
-    for wrong in number_faults(rig):
-        raise UnusableInput("rig file: {}", wrong)
+    """Return the calibration of a rig file for the setup of its device; raise UnusableInput."""
+    for fault in number_faults(rig):
+        raise UnusableInput("rig file: {}", fault)
     table = channel_table(rig)
     keys = {name: key for key, name in input_keys(rig).items()}
     wires = []
@@ -370,7 +371,7 @@ def _scalar(rig: RigFile, name: str) -> InputLine:
 
 
 def _pulse_rate(rig: RigFile, setup: StreamSetup) -> PulseRate | None:
-    """Return where the pulse rate is recorded; raise UnusableInput where only it gives the time."""
+    """Return the row of the pulse rate; raise UnusableInput if it is missing but needed."""
     if setup.clock is not SampleClock.ENCODER:
         return None
     for row, spec in enumerate(setup.channels):
@@ -390,12 +391,12 @@ def _spec(setup: StreamSetup, name: str, key: str) -> tuple[int, ChannelSpec]:
     for row, spec in enumerate(setup.channels):
         if spec.name == name:
             return row, spec
-    sent = joined(", ", (spec.name for spec in setup.channels))
+    names = joined(", ", (spec.name for spec in setup.channels))
     raise UnusableInput(
         "rig file: {} = {} is not among what the device sends ({}); correct the key",
         key,
         repr(name),
-        sent,
+        names,
     )
 
 

@@ -1,12 +1,12 @@
-"""Correct readings sample by sample: quadratic terms of a load cell, tables, the probes' run-out.
+"""Corrections of readings: quadratic terms of a load cell, tables, run-out of the probes.
 
 The calibration's forward model of a cell is signal - zero = A f + Q (f1^2, f1 f2, f2^2), f on the
 pin. With the linear joint force G = -inverse(A) (signal - zero) and F = -f it becomes
 
     F = G + B (F1^2, F1 F2, F2^2),    B = inverse(A) Q  (2, 3), 1/N,
 
-which Newton's method solves from F = G; B is ``b`` below. ``STEPS`` steps are exact to rounding
-wherever ``invertible`` holds; every quantity of a force in the engine goes through here.
+which is solved by Newton's method from F = G; B is ``b`` below. ``STEPS`` steps are exact to
+rounding if ``invertible`` holds; all forces in the engine are computed by these functions.
 """
 
 # mypy: disable-error-code="untyped-decorator, no-any-return"
@@ -26,11 +26,11 @@ Array = NDArray[np.float64]
 
 STEPS = 5
 LARGEST_SLOPE = 0.4
-"""How far the quadratic terms may turn the slope of the cell before it cannot be inverted."""
+"""Largest relative change of the cell's slope by the quadratic terms with a unique inverse."""
 
 
 def invertible(b: Array, largest: float) -> bool:
-    """Return whether forces up to ``largest`` (N) follow from signals without doubt.
+    """Return whether forces up to ``largest`` (N) follow uniquely from signals.
 
     The slope of B q(F) is at most 2 |B| |F|; below ``LARGEST_SLOPE`` the map is one to one.
     """
@@ -44,7 +44,7 @@ def invertible(b: Array, largest: float) -> bool:
     error_model="numpy",
 )
 def linearised(x: float, y: float, b: Array) -> tuple[float, float]:
-    """Return the joint force (N) whose linear image is (x, y)."""
+    """Return the joint force (N) with the linear force (x, y)."""
     u, v = x, y
     for _ in range(STEPS):
         r1 = u - x - b[0, 0] * u * u - b[0, 1] * u * v - b[0, 2] * v * v
@@ -66,7 +66,7 @@ def linearised(x: float, y: float, b: Array) -> tuple[float, float]:
     error_model="numpy",
 )
 def linearise_rows(first: Array, second: Array, total: Array, n: int, b: Array) -> None:
-    """Replace linear joint forces first[:n], second[:n] by the true ones; total[:n] becomes |F|."""
+    """Replace linear joint forces first[:n], second[:n] by corrected ones; set total[:n] to |F|."""
     for i in range(n):
         x, y = linearised(first[i], second[i], b)
         first[i] = x
@@ -75,7 +75,7 @@ def linearise_rows(first: Array, second: Array, total: Array, n: int, b: Array) 
 
 
 def linearised_forces(force: Array, b: Array) -> Array:
-    """Return the joint forces (2, samples) of linear ones (2, samples)."""
+    """Return the corrected joint forces (2, samples) of linear ones (2, samples)."""
     if not b.any():
         return force
     first, second = np.array(force[0], np.float64), np.array(force[1], np.float64)
@@ -85,10 +85,10 @@ def linearised_forces(force: Array, b: Array) -> Array:
 
 @njit("void(float64[::1], int64, float64[:, ::1])", cache=True, nogil=True, error_model="numpy")
 def follow(x: Array, n: int, table: Array) -> None:
-    """Replace signals x[:n] by the values of a table (2, points); without points, do nothing.
+    """Replace signals x[:n] by the values of a table (2, points); no effect without points.
 
-    Beyond an end the line through the first, or last, two points is extended: a signal outside of
-    the calibrated range gets the extrapolated value, not that of the table's end.
+    Linear extrapolation from the first, or last, two points: a signal outside the calibrated range
+    must not have the value at the end of the table.
     """
     points = table.shape[1]
     if points < 2:
@@ -106,17 +106,18 @@ def follow(x: Array, n: int, table: Array) -> None:
         x[i] = table[1, low] + slope * (x[i] - table[0, low])
 
 
-# The probes' readings beyond sensitivity and offset: run-out map and alignment.
+# Corrections of the probes besides sensitivity and offset: run-out map and alignment.
 #
-# The map belongs to what each probe reads, so it comes off first, at the crank angle of the sample
-# (latency corrected, as all signals); then the matrix turns the pair into the follower's axes.
+# The map is that of each probe's readings, so it is subtracted first, at the crank angle of the
+# sample (corrected for latency, as all signals); then the matrix transforms the pair to the
+# follower's axes.
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProbeCorrection:
-    """Correct the pair of probes. matrix (2, 2); table (2, counts of a turn), um; cos, sin (2, N).
+    """Correction of two probes. matrix (2, 2); table (2, counts of a turn), um; cos, sin (2, N).
 
-    The table is the map at every count of the encoder, so that no sample needs a sine.
+    The table is the map at each count of the encoder, so that no sample needs a sine.
     """
 
     matrix: Array
@@ -132,7 +133,7 @@ class ProbeCorrection:
         return np.asarray(self.matrix @ (read - self.table[:, counts % self.table.shape[1]]))
 
     def at(self, angle_rad: float | None, index_angle_rad: float, read: Array) -> Array:
-        """Return the same for one sample at a crank angle, without the map while it is unknown."""
+        """Return the same for one sample at a crank angle, without the map if that is unknown."""
         if angle_rad is None or not math.isfinite(angle_rad):
             return np.asarray(self.matrix @ read, np.float64)
         turn = self.table.shape[1]
@@ -143,7 +144,7 @@ class ProbeCorrection:
 def probe_correction(
     probes: ProbesSection, counts_per_revolution: int, index_angle_rad: float
 ) -> ProbeCorrection | None:
-    """Return the correction by the rig's records, None without one."""
+    """Return the correction from the rig's records, None without one."""
     cosines = np.array(probes.run_out_cos_um, np.float64).reshape(2, -1)
     sines = np.array(probes.run_out_sin_um, np.float64).reshape(2, -1)
     matrix = np.array(probes.alignment, np.float64)

@@ -1,4 +1,4 @@
-"""The instruments of a rig, each with the numbers that turn its signals into N, um ...
+"""Instruments of a rig with the constants of their calibration.
 
 A signal is the data source's value of one input: signal = scale raw + offset, in mV/V or V.
 """
@@ -22,9 +22,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class Wire:
-    """One input as the Blocks carry it: the channel, its row, and signal = scale raw + offset.
+    """Input in the Blocks: its channel, its row, and signal = scale raw + offset.
 
-    unit: of the signal, by the device.
+    unit: of the signal, from the device.
     """
 
     channel: Channel
@@ -36,10 +36,10 @@ class Wire:
 
 @dataclass(frozen=True, slots=True)
 class Counter:
-    """The row of the crank encoder's count, and what makes the device sample.
+    """Row of the crank encoder's count, and the sample clock of the device.
 
-    clock: with the encoder's, pulse_rate is where the rate of its pulses is recorded, fastest_Hz
-    how many there can be a second.
+    clock: with that of the encoder, pulse_rate is the row of the rate of its pulses, fastest_Hz
+    their highest rate.
     """
 
     row: int
@@ -52,15 +52,15 @@ class Counter:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LoadCell:
-    """Two bridges in the pin: the joint force F follows from both signals at once.
+    """Load cell: two bridges in the pin, from whose signals the joint force F follows.
 
     With the linear force G = - matrix (signal - zero - tare) it is G + B (F1^2, F1 F2, F2^2).
-    matrix: (2, 2) N per signal unit. zero: (2,) signal units; tare: (2,) found with the pin
-    unloaded, at tare_angle (rad, None where it was not known). quadratic_terms: B, (2, 3) 1/N, see
-    ``corrections``.
-    record: name of the calibration record, empty without. pin_weight: N, of the pin outboard of the
-    gauges, which is no force of the follower and turns about the cell; pull: (2,) N, what of it
-    acts in the plane of the crank, along the slider's way and across it, by the gravity of a test.
+    matrix: (2, 2) N per signal unit. zero: (2,) signal units; tare: (2,) measured with the pin
+    unloaded, at tare_angle (rad, None if unknown). quadratic_terms: B, (2, 3) 1/N, see
+    ``corrections``. record: name of the calibration record, or empty. pin_weight: N, of the pin
+    outboard of the gauges, which is not a force of the follower and rotates relative to the cell;
+    pull: (2,) N, its components in the plane of the crank, along the slider's way and across it, by
+    the gravity of a test.
     """
 
     matrix: Array
@@ -82,35 +82,36 @@ class LoadCell:
 
     @property
     def at_rest(self) -> Array:
-        """Return the signals (2,) without any force: a tare holds that of the pin at its angle."""
+        """Return the signals (2,) without force; a tare includes the pin's weight at its angle."""
         signals = self.zero + self.tare
         if self.tare_angle is None:
             return signals
-        pulled = np.linalg.solve(self.matrix, self.own_weight(self.tare_angle))
-        return np.asarray(signals - pulled, np.float64)
+        weight_signal = np.linalg.solve(self.matrix, self.own_weight(self.tare_angle))
+        return np.asarray(signals - weight_signal, np.float64)
 
     def own_weight(self, angle: float | Array) -> Array:
-        """Return how the pin's weight pulls at crank angles (...,), rad: (2, ...) N, crank frame.
+        """Return the pin's weight at crank angles (...,), rad: (2, ...) N, crank frame.
 
-        As a force on the pin, which is taken off; the joint force F = -(force on the pin) gains it.
+        As a force on the pin, from which it is subtracted; it is added to the joint force
+        F = -(force on the pin).
         """
         x, y = self.pull
         sine, cosine = np.sin(angle), np.cos(angle)
         return np.asarray([x * cosine + y * sine, y * cosine - x * sine], np.float64)
 
     def under(self, gravity_m_s2: Sequence[float]) -> LoadCell:
-        """Return this cell in a plane with so much gravity along the slider's way and across it."""
+        """Return this cell for a plane with gravity along the slider's way and across it."""
         share = np.asarray(gravity_m_s2, np.float64) / STANDARD_GRAVITY
         return replace(self, pull=self.pin_weight * share)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class InputLine:
-    """What one input means: value = slope (signal - zero), or a table's value at the signal.
+    """Calibration of one input: value = slope (signal - zero), or a table's value at the signal.
 
-    table: (2, points), rising signals (V) and their values, linear between them and beyond both
-    ends; empty without one. uncertainty: expanded, of a value, None where it is not stated. record:
-    name of the calibration record, empty without.
+    table: (2, points), increasing signals (V) and their values, linear between them and beyond both
+    ends; empty without one. uncertainty: expanded, of a value, None if not stated. record: name of
+    the calibration record, or empty.
     """
 
     slope: float = 1.0
@@ -120,16 +121,16 @@ class InputLine:
     record: str = ""
 
     def linear(self, wire: Wire) -> tuple[float, float]:
-        """Return gain and bias of what the table is applied to, = gain raw + bias."""
+        """Return gain and bias of the value (with a table: of its signal) = gain raw + bias."""
         return self.slope * wire.scale, self.slope * (wire.offset - self.zero)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProbePair:
-    """Two probes: each has its line, together they have run-out map and alignment.
+    """Two probes: a line each, and a common run-out map and alignment.
 
     sensitivity: (2,) um/V. offset: (2,) V. uncertainty_um: expanded, of one position. record: name
-    of the calibration record, empty without.
+    of the calibration record, or empty.
     """
 
     sensitivity: Array
@@ -139,6 +140,6 @@ class ProbePair:
     record: str = ""
 
     def lines(self) -> tuple[InputLine, ...]:
-        """Return what each of the two inputs means, um."""
+        """Return the calibration of each of the two inputs, um."""
         pairs = zip(self.sensitivity.tolist(), self.offset.tolist(), strict=True)
         return tuple(InputLine(slope, zero) for slope, zero in pairs)

@@ -1,9 +1,9 @@
-"""Reduce a revolution to its statistics: one compiled pass from raw samples to the stored row.
+"""Reduction of a revolution to its statistics: one compiled pass from raw samples to the row.
 
-One kernel for the load cell, whose forces follow from two inputs, one for every other input:
+One kernel for the load cell, whose forces follow from two inputs, and one for the other inputs:
 latency shift, calibration, |F|, extremes and moments are fused, so that the samples are read from
-memory once. Sums run in independent lanes, so that the compiler can use vector instructions and
-need not reorder floating-point arithmetic (fastmath stays off).
+memory once. Sums are in independent lanes, so that the compiler can use vector instructions without
+reordering floating-point arithmetic (no fastmath).
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from rigapp_model.compiled import njit
 Array = NDArray[np.float64]
 
 SPEED_WINDOWS = 36
-"""Local speed is the slope of a straight line fitted to this part of a revolution."""
+"""Windows per revolution; local speed is the slope of a straight line fitted to each."""
 
 LEAST_SAMPLES = 8
-"""Of such a part: the quantisation of fewer counts would show in the slope."""
+"""Fewest samples of a window; with fewer the quantisation of the counts affects the slope."""
 
 LANES = 64
-"""Independent sums of a curve, a power of two: they become vector code, twice as fast as four sums.
-Their number is fixed, so that a row has the same bits on every computer."""
+"""Independent sums of a curve, a power of two, for vector code: twice as fast as four sums. Fixed,
+so that a row has the same bits on all computers."""
 
 _FORCES = (
     "void({0}[::1], {0}[::1], int64, int64[::1], float64[::1], float64[:, ::1], float64[::1],"
@@ -45,11 +45,11 @@ _SINGLE = (
 
 @njit("int64(float64[::1], int64, float64)", cache=True, nogil=True, inline="never")
 def _first(x: Array, n: int, value: float) -> int:
-    """Return the first index of a value in x[:n], 0 where there is none."""
+    """Return the first index of a value in x[:n], 0 without one."""
     for i in range(0, n, LANES):
         part = x[i : min(i + LANES, n)]
         hits = 0
-        for j in range(part.shape[0]):  # to its end: a loop that may break is no vector code
+        for j in range(part.shape[0]):  # without break, which would prevent vector code
             hits += part[j] == value
         if hits > 0:
             for j in range(part.shape[0]):
@@ -83,13 +83,13 @@ def _extremes_and_moments(
         sums[j] = squares[j] = 0.0
         highest[j], lowest[j] = -np.inf, np.inf
     for i in range(0, n, LANES):
-        # A slice and counted loops from 0 become vector code.
+        # Slices and counted loops from 0 are vectorised.
         part = x[i : min(i + LANES, n)]
         for j in range(part.shape[0]):
             v = part[j]
             sums[j] += v
             squares[j] += v * v
-            # A sample that is no number passes neither comparison.
+            # NaN fails both comparisons.
             highest[j] = v if v > highest[j] else highest[j]
             lowest[j] = v if v < lowest[j] else lowest[j]
     half = LANES // 2
@@ -101,7 +101,7 @@ def _extremes_and_moments(
             lowest[j] = min(lowest[j], lowest[j + half])
         half //= 2
     total, square, largest, smallest = sums[0], squares[0], highest[0], lowest[0]
-    if largest < smallest:  # not one number
+    if largest < smallest:  # all samples are NaN
         largest = smallest = np.nan
     out[0] = largest
     out[1] = smallest
@@ -114,8 +114,8 @@ def _extremes_and_moments(
 def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Array) -> None:
     """Write max, min and RMS of the local slope in counts per sample to out[:3].
 
-    The slope is fitted by least squares over 1/SPEED_WINDOWS of a revolution, LEAST_SAMPLES at
-    least, never across a break: single quantised counts do not show in it.
+    The slope is fitted by least squares over 1/SPEED_WINDOWS of a revolution, at least
+    LEAST_SAMPLES, not across a break, so that the quantisation of the counts has no effect.
     """
     n = counts.shape[0]
     window = max(LEAST_SAMPLES, n // SPEED_WINDOWS)
@@ -126,8 +126,8 @@ def _local_speed(counts: NDArray[np.int64], segments: NDArray[np.int64], out: Ar
         while end - begin >= 2:
             size = end - begin if end - begin < 2 * window else window
             middle = 0.5 * (size - 1)
-            part = counts[begin : begin + size]  # from 0, so that the loop becomes vector code
-            total, moment = 0, 0  # whole numbers, so that the sums are exact in any order
+            part = counts[begin : begin + size]  # from 0, so that the loop is vectorised
+            total, moment = 0, 0  # integers, so that the sums are exact in any order
             for i in range(size):
                 height = part[i] - part[0]
                 total += height
@@ -166,7 +166,7 @@ def _forces(
     row: Array,
     speed: Array,
 ) -> None:
-    """Write the statistics of both forces and of their size from row[column] on, and the speed."""
+    """Write the statistics of both forces and of |F| from row[column] on, and the speed."""
     n = counts.shape[0]
     g11, g12, g21, g22 = gain[0, 0], gain[0, 1], gain[1, 0], gain[1, 1]
     c1, c2 = bias[0], bias[1]
@@ -231,17 +231,17 @@ def _single(
     column: int,
     row: Array,
 ) -> None:
-    """Write the statistics of a channel that follows from one input from row[column] on."""
+    """Write the statistics of a channel of one input from row[column] on."""
     n = counts.shape[0]
     a = raw[start:]
     if part == 0.0:
         for i in range(n):
             scratch[i] = gain * a[i] + bias
     else:
-        rest = 1.0 - part
+        weight = 1.0 - part
         following = raw[start + 1 :]
         for i in range(n):
-            scratch[i] = gain * (rest * a[i] + part * following[i]) + bias
+            scratch[i] = gain * (weight * a[i] + part * following[i]) + bias
     follow(scratch, n, table)
     _extremes_and_moments(scratch, n, counts, pitch_deg, index_deg, lanes, row[column : column + 5])
 
@@ -256,7 +256,7 @@ _single_kernel = njit(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Single:
-    """How one input becomes the statistics of its channel; column: of the first in a row."""
+    """Parameters of a channel of one input; column: of its first statistic in a row."""
 
     row: int
     delay: int
@@ -268,7 +268,7 @@ class _Single:
 
 
 class Reducer:
-    """Turn revolutions into rows in the order of the calibration's table; one thread calls it."""
+    """Reducer of revolutions to rows in the order of the calibration's table; for one thread."""
 
     def __init__(self, calibration: Calibration) -> None:
         table = calibration.table
@@ -309,9 +309,9 @@ class Reducer:
         self._unknown = np.full(len(table.names), np.nan)
 
     def reduce(self, measured: Measured) -> Array:
-        """Return the row of a revolution: statistics filled in, the head but for the speed not.
+        """Return the row of a revolution: statistics, speed, samples, lost samples and flags.
 
-        The caller writes revolution, time, host_time and what is slow.
+        The caller adds revolution, time, host_time and slow channels.
         """
         revolution = measured.revolution
         n = revolution.samples
@@ -336,7 +336,7 @@ class Reducer:
         return row
 
     def _from_raw(self, revolution: Revolution, row: Array) -> None:
-        """Fill in the statistics in one pass from the raw samples, latency and all."""
+        """Compute the statistics in one pass from the raw samples, including latency."""
         n = revolution.samples
         if n > self._scratch.shape[1]:
             self._scratch = np.empty((3, 2 * n))
@@ -380,7 +380,7 @@ class Reducer:
             )
 
     def _from_calibrated(self, measured: Measured, row: Array) -> None:
-        """Fill in the statistics of samples at no fixed times, or of corrected probes."""
+        """Compute the statistics for samples at irregular times, or with corrected probes."""
         revolution, values = measured.revolution, measured.calibrated
         _local_speed(revolution.counts, revolution.segments, self._speed)
         for channel in self.table.curves:
@@ -399,18 +399,18 @@ class Reducer:
 
 
 def _speed_by_time(revolution: Revolution) -> tuple[float, float, float]:
-    """Return max, min and RMS over time of the speed in counts per tick, of samples at pulses.
+    """Return max, min and RMS over time of the speed in counts per tick, for samples at pulses.
 
-    The speed is that over 1/SPEED_WINDOWS of a revolution, LEAST_SAMPLES pulses at least; a
-    standstill within one counts as idle, not as slowness.
+    Over windows of 1/SPEED_WINDOWS of a revolution, at least LEAST_SAMPLES pulses; a standstill
+    within one is idle time, and not included in the speed.
     """
     ticks = np.append(revolution.sample_indices(), revolution.end_sample)
     counts = np.append(revolution.counts, revolution.end_count)
     window = max(LEAST_SAMPLES, revolution.samples // SPEED_WINDOWS)
-    places = np.unique(np.append(np.arange(0, revolution.samples, window), revolution.samples))
+    bounds = np.unique(np.append(np.arange(0, revolution.samples, window), revolution.samples))
     longest = round(STANDSTILL_S * revolution.sample_rate_Hz)
     idle = np.append(0, np.cumsum(np.maximum(np.diff(ticks) - longest, 0)))
-    elapsed = np.maximum(np.diff((ticks - idle)[places]), 1)
-    speed = np.diff(counts[places]) / elapsed
+    elapsed = np.maximum(np.diff((ticks - idle)[bounds]), 1)
+    speed = np.diff(counts[bounds]) / elapsed
     squares = float((speed**2 * elapsed).sum() / elapsed.sum())
     return float(speed.max()), float(speed.min()), math.sqrt(squares)
