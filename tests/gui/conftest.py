@@ -7,6 +7,7 @@ import os
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 
+import gc
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -30,6 +31,7 @@ from rigapp.config.loading import read_rig
 from rigapp.gui.look.dress import apply_theme
 from rigapp.gui.window.window import MainWindow
 from rigapp.presentation.tokens import LIGHT
+from rigapp.process.memory import collect_when_due, stop_automatic_collection
 from rigapp.schema.messages import (
     Alarm,
     Remedy,
@@ -46,6 +48,16 @@ from rigapp.viewer.connection import EngineConnection
 from rigapp.viewer.recording import StoredTest
 from rigapp.viewer.series import LiveData
 from rigapp.viewer.showntest import ShownTest
+
+
+@pytest.fixture(autouse=True)
+def _collected_between_tests() -> Iterator[None]:
+    """Collect garbage after a test only, as the window does between events."""
+    thresholds = gc.get_threshold()
+    stop_automatic_collection()
+    yield
+    gc.set_threshold(*thresholds)
+    collect_when_due()
 
 
 class ScriptedEngine:

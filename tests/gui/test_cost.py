@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import subprocess
 import sys
+import weakref
 from pathlib import Path
 from typing import Any
 
@@ -13,14 +14,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from PySide6.QtWidgets import QWidget
+from patience import PATIENCE_MS
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
 
 from rigapp.gui.panels.results import ResultsPump
 from rigapp.gui.plots.curves import ShadedBand, Trace, clear
 from rigapp.gui.results.results_index import ResultsIndex
 from rigapp.gui.window import places
+from rigapp.gui.window.app import collect_between_events
 from rigapp.gui.window.places import PageBar, PageName, RailPlace
-from rigapp.process.memory import begin_to_load, end_of_loading
+from rigapp.process.memory import begin_to_load, collect_when_due, end_of_loading
 from rigapp.viewer import pyramid as levels
 from rigapp.viewer.comparison import CURVES, binned, stacked
 from rigapp.viewer.pyramid import Pyramid, thinned
@@ -165,6 +169,36 @@ def test_what_a_start_has_made_is_not_searched_for_garbage() -> None:
     finally:
         gc.unfreeze()
         gc.enable()
+
+
+class Cycle:
+    """Garbage that only a collection finds."""
+
+    def __init__(self) -> None:
+        self.itself = self
+
+
+def test_garbage_is_collected_between_events_only(qapp: QApplication, qtbot: QtBot) -> None:
+    thresholds = gc.get_threshold()
+    timer = collect_between_events(qapp)
+    try:
+        assert gc.get_threshold()[0] == 0, "a collection within a call of Qt can wait for itself"
+        collected = weakref.ref(Cycle())
+        made = [[n] for n in range(100_000)]
+        assert collected() is not None
+        assert made
+        timer.start(1)
+        qtbot.waitUntil(lambda: collected() is None, timeout=PATIENCE_MS)
+        begin_to_load()
+        loading = weakref.ref(Cycle())
+        made = [[n] for n in range(100_000)]
+        for _ in range(20):
+            collect_when_due()
+        assert loading() is not None
+    finally:
+        timer.stop()
+        gc.enable()
+        gc.set_threshold(*thresholds)
 
 
 def test_the_window_and_the_room_that_a_test_needs_load_no_kernels() -> None:

@@ -7,6 +7,7 @@ import os
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 
+import gc
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ import numpy as np
 import pytest
 
 from rigapp.calibrating.session import Rig
+from rigapp.process.memory import collect_when_due, stop_automatic_collection
 from rigapp.schema.messages import Reply
 
 TRUE_MATRIX = np.array([[201.0, 3.0], [2.0, 198.0]])
@@ -33,6 +35,16 @@ standard_uncertainty_deg = 0.05
 [paperwork]
 operator = "E. Sample"
 """
+
+
+@pytest.fixture(autouse=True)
+def _collected_between_tests() -> Iterator[None]:
+    """Collect garbage after a test only, as the window does between events."""
+    thresholds = gc.get_threshold()
+    stop_automatic_collection()
+    yield
+    gc.set_threshold(*thresholds)
+    collect_when_due()
 
 
 class ScriptedRig:

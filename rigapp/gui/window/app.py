@@ -17,13 +17,14 @@ from rigapp.gui.window.selftest import run_self_test
 from rigapp.gui.window.window import PROGRAM, MainWindow
 from rigapp.presentation.catalogue import LANGUAGES
 from rigapp.process.ending import end_at_once, termination_signals
-from rigapp.process.memory import end_of_loading
+from rigapp.process.memory import collect_when_due, end_of_loading, stop_automatic_collection
 from rigapp.viewer.connection import ClientFactory, EngineConnection
 from rigapp.viewer.showntest import ShownTest
 
 log = logging.getLogger(__name__)
 
 POLL_MS = 200  # delay of Ctrl-C that is not noticed
+COLLECT_MS = 1000
 LOADED_MS = 3000
 """Time after which the window is drawn and the engine has answered: its objects are then frozen."""
 
@@ -48,6 +49,7 @@ def main(
     """
     application = QApplication.instance() or QApplication(sys.argv[:1])
     assert isinstance(application, QApplication)
+    collect_between_events(application)
     application.setApplicationName("rigapp")
     application.setOrganizationName("rigapp")
     problems = run_self_test()
@@ -89,6 +91,15 @@ def main(
         look.timeout.connect(lambda: _end_on_signal(signals, window, application))
         look.start(POLL_MS)
         return application.exec()
+
+
+def collect_between_events(application: QApplication) -> QTimer:
+    """Collect garbage by a timer in place of the automatic collection; return the timer."""
+    stop_automatic_collection()
+    timer = QTimer(application)
+    timer.timeout.connect(collect_when_due)
+    timer.start(COLLECT_MS)
+    return timer
 
 
 def _results_folder(preferences: Preferences, started: Path) -> Path:
