@@ -359,7 +359,7 @@ class Guard:
             else:
                 self._core.warn(cause)
         number, stops, depth = int(named["revolution"]), test.run.stops, test.run.depth
-        if stops.judges(number):
+        if stops.is_evaluated(number):
             for cause in depth.look(number, named):
                 self._core.warn(cause)
                 for name in stops.of_depth():

@@ -18,7 +18,8 @@ COLOUR_NAME, HEAT_NAME = "correlated noise", "temperature"
 FOUND = 0.95
 """Probability from which a disturbance is reported."""
 SIGMAS = 2.0
-"""Standard uncertainties from 0 beyond which creep and the effect of temperature are reported."""
+"""Standard uncertainties from 0 beyond which creep, a swing and the effect of temperature are
+reported."""
 
 
 @dataclass(frozen=True, slots=True)

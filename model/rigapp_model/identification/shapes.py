@@ -36,7 +36,7 @@ COLUMNS = 4
 HEAT = 3
 """Column of temperature."""
 NO_PERIOD = 0.0
-"""Period that stands for no swing."""
+"""Period without a swing."""
 NO_STEPS = np.zeros((0, 2))
 
 

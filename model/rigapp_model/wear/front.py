@@ -159,9 +159,9 @@ def _pressure_dependent_step(
 ) -> Front:
     """Advance by a step with the coefficient of the pressures at its end, by fixed-point iteration.
 
-    With little wear the pressure is nearly constant and the first guess correct; with much wear the
-    depth is, and the pressure varies with the inverse of the coefficient, so that the update has
-    its exponent. The root of that exponent converges in both cases.
+    With little wear the pressure is nearly constant and the first guess correct. With much wear the
+    depth is, the pressure is inverse to the coefficient, and the correction of that is too large by
+    the power of the exponent. Its root converges in both cases.
     """
     law, start = problem.law, front
     share = shares(law, contact_pressure(problem, front), loads.wearing)

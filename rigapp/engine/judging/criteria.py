@@ -204,13 +204,13 @@ class StopMonitor:
             evaluated.since_value += 1
         return self._first(Sight.ROW, number, at)
 
-    def judges(self, number: int) -> bool:
+    def is_evaluated(self, number: int) -> bool:
         """Return whether a revolution is evaluated: complete and at the set speed."""
         return number not in self._not_evaluated and number > self._stop.hold_off_revolutions
 
     def prediction(self, number: int, values: Mapping[str, float]) -> CriterionMet | None:
         """Evaluate a prediction: its columns by name, see ``prediction_columns``."""
-        if not self.judges(number):
+        if not self.is_evaluated(number):
             return None
         return self._first(Sight.PREDICTION, number, values.__getitem__)
 

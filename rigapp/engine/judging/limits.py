@@ -72,7 +72,7 @@ class _Watch:
         """Return the alarm that a value raises or clears."""
         return exceeded(self.quantity, self.severity, value, self.limit, self.above, self.action)
 
-    def look_for_value(self, age_s: float | None) -> LevelPassed | None:
+    def check_missing(self, age_s: float | None) -> LevelPassed | None:
         """Return a change if the value goes missing or returns.
 
         age_s: of a missing value; None with a value.
@@ -86,11 +86,11 @@ class _Watch:
         )
         return LevelPassed(cause, missing, self.action)
 
-    def judges(self, step: int) -> bool:
+    def applies(self, step: int) -> bool:
         """Return whether the level is evaluated in a step of the test."""
         return not self.steps or step in self.steps
 
-    def leave(self) -> bool | None:
+    def reset(self) -> bool | None:
         """Reset at another step; return False if the level was exceeded, else None."""
         passed, self.active, self.beyond = self.active, False, 0
         return False if passed else None
@@ -175,13 +175,13 @@ class RuleMonitor:
             if value is None:
                 continue
             # The twin's values have no time, and are not available at the beginning.
-            if "time" in values and watch.judges(step):
-                missing = watch.look_for_value(watch.without_value_s(values))
+            if "time" in values and watch.applies(step):
+                missing = watch.check_missing(watch.without_value_s(values))
                 if missing is not None:
                     result.append(missing)
             if not watch.known(value):
                 continue
-            change = watch.look(value) if watch.judges(step) else watch.leave()
+            change = watch.look(value) if watch.applies(step) else watch.reset()
             if change is not None:
                 result.append(LevelPassed(watch.cause(value), change, watch.action))
         return result
@@ -191,7 +191,7 @@ class RuleMonitor:
         worst, name = math.inf, ""
         for watch in self._watches:
             value = values.get(watch.quantity)
-            if value is None or math.isnan(value) or not watch.judges(step):
+            if value is None or math.isnan(value) or not watch.applies(step):
                 continue
             sign = 1 if watch.above else -1
             margin = 100.0 * sign * (watch.limit - value) / max(abs(watch.limit), 1e-9)
