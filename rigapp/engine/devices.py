@@ -287,7 +287,7 @@ def make_devices(
     folder: of the rig file, used without ``record``.
     """
     plan = plan_devices(rig, where, load)
-    factory = DriverFactory(rig, ports, where, record or WireRecording(folder))
+    factory = DriverMaker(rig, ports, where, record or WireRecording(folder))
     source = factory.driver(plan.source, plan.source_driver, plan.data_request.settings)
     spindle = factory.driver(plan.spindle, plan.spindle_driver, plan.drive_request.settings)
     return Devices(
@@ -322,7 +322,7 @@ class UnloadableSource:
 
 
 def _slow_source(
-    factory: DriverFactory, name: str, info: DriverInfo, settings: Mapping[str, Any]
+    factory: DriverMaker, name: str, info: DriverInfo, settings: Mapping[str, Any]
 ) -> GuardedSlow:
     try:
         return cast(GuardedSlow, factory.driver(name, info, settings))
@@ -368,7 +368,7 @@ def _driver(
 
 
 @dataclass(frozen=True, slots=True)
-class DriverFactory:
+class DriverMaker:
     """Factory of the drivers of a rig file's devices."""
 
     rig: RigFile

@@ -298,7 +298,7 @@ def test_a_cable_that_is_pulled_in_a_rest_is_recovered_from_and_the_test_complet
     rig.engine.reset("Ada")
     store = rig.store
     last = int(store.column("revolution")[-1])
-    assert 5 <= last <= 10, "it slows down, and aims at the angle"
+    assert 5 <= last < 20, "it slows down, and aims at the angle, as soon as the engine runs"
     rig.opened, store.closed = Opened(store, len(store.rows), last, 10.0, 0.0), False
     rig.start(test, resume=True)
     rig.engine.wait(ENDED, 60.0)
