@@ -53,12 +53,10 @@ def as_pdf(document: Manuscript) -> bytes:
 
     Characters that the fonts lack are taken from the fonts of the computer, or replaced.
     """
-    content = _content(document)
+    names = {id(one): f"figure-{n}.svg" for n, one in enumerate(document.figures(), 1)}
+    content = _content(document, names)
     main = (files("rigapp.report.page") / "templates" / "document.typ").read_bytes()
-    pictures = {
-        f"figure-{number}.svg": figure.draw("svg with text")
-        for number, figure in enumerate(document.figures(), 1)
-    }
+    pictures = {names[id(one)]: one.draw("svg with text") for one in document.figures()}
 
     def compile_text(text: str, *, own_fonts_only: bool) -> bytes:
         result = typst.compile(  # type: ignore[call-overload]  # its stub lacks files by name
@@ -84,10 +82,9 @@ def as_pdf(document: Manuscript) -> bytes:
         return compile_text(known, own_fonts_only=True)
 
 
-def _content(document: Manuscript) -> dict[str, Any]:
+def _content(document: Manuscript, names: Mapping[int, str]) -> dict[str, Any]:
     """Return what the template reads, as plain values."""
     labels = document.labels()
-    names = {id(one): f"figure-{n}.svg" for n, one in enumerate(document.figures(), 1)}
 
     def drawing(figure: Figure) -> dict[str, Any]:
         return {
