@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -31,6 +32,12 @@ REFUSED = "dead zone 0.5 %"
 
 HIDDEN = "both, calibrated and used to 30 %"
 """A loop smaller than the rated one hides a part that U lacks: 90 to 93 % (docs/calibration.md)."""
+
+
+def row_or_shortfall(one: Row) -> Any:
+    """Return a row as a parameter; the one that is known to fall short must do so."""
+    short = pytest.mark.xfail(strict=True, reason="U lacks a part: docs/calibration.md")
+    return pytest.param(one, id=one.name, marks=[short] if one.name == HIDDEN else [])
 
 
 def row(name: str) -> Row:
@@ -136,10 +143,9 @@ def test_zeros_that_are_alike_one_after_the_other_tell_less(sets: int) -> None:
 
 @pytest.mark.long
 @pytest.mark.timeout(7200)
-@pytest.mark.parametrize("one", ROWS, ids=lambda one: one.name)
+@pytest.mark.parametrize("one", [row_or_shortfall(one) for one in ROWS])
 def test_forces_lie_within_u_of_the_truth(one: Row) -> None:
     found = coverage(one, 400, 11)
     if one.name != REFUSED:
         assert found.pop("refused") < (0.05 if "x y^2" in one.name else 0.01)
-        promised = 0.90 if one.name == HIDDEN else 0.93
-        assert min(found.values()) >= promised - 2.0 * (0.95 * 0.05 / 400) ** 0.5, found
+        assert min(found.values()) >= 0.93 - 2.0 * (0.95 * 0.05 / 400) ** 0.5, found
