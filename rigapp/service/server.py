@@ -49,7 +49,8 @@ GROWTH_BYTES = 100_000_000
 """Limit of the growth in memory; an engine grows by 15 MB up to a running test, and then stays."""
 PARTS = 8
 """Maximum number of parts of a message; a request has two or three, each received in 1 us."""
-SETTLE_S = 1.0  # libzmq frees the parts in a separate thread
+SETTLE_S = 1.0
+"""Time for libzmq, which frees the parts in a separate thread; quick requests end meanwhile."""
 
 log = logging.getLogger(__name__)
 Socket = zmq.Socket[bytes]
@@ -62,9 +63,10 @@ class Connections:
         """Start to monitor sockets, before they are bound."""
         events = zmq.EVENT_ACCEPTED | zmq.EVENT_DISCONNECTED
         self._monitors = [socket.get_monitor_socket(events) for socket in sockets]
-        self._handles: set[int] = set()
+        self._accepted_s: dict[int, float] = {}  # of each connection's handle
         self._process = psutil.Process()
         self._usual = self._process.memory_info().rss
+        self._grown_s = math.inf  # time at which the growth was noticed
         self._settled_s = math.inf
 
     def receive(self, socket: Socket) -> list[bytes]:
@@ -80,7 +82,7 @@ class Connections:
             parts += 1
         if parts <= PARTS:
             return [first.bytes, frame.bytes]
-        self._note()
+        self._note(time.monotonic())
         handle = int(frame.get(zmq.SRCFD))
         if _sends(handle):  # still the sender's: another connection may have reused the handle
             log.warning("a message of %d parts: its sender's connection is ended", parts)
@@ -88,42 +90,44 @@ class Connections:
         return []
 
     def bound_memory(self, now_s: float, *, busy: bool) -> None:
-        """End connections when the process has grown: those that are sending, else all.
+        """End connections when the process has grown: those that are sending, then older ones.
 
-        busy: a request is being executed, which may need the memory and waits for its reply.
+        A connection that was accepted after the growth was noticed did not cause it: its request
+        is answered. busy: a request is being executed, which may need the memory.
         """
-        self._note()
+        self._note(now_s)
         used = self._process.memory_info().rss
         if used > self._usual + GROWTH_BYTES:
             give_back()
             used = self._process.memory_info().rss
         self._usual = min(self._usual, used)
         if used < self._usual + GROWTH_BYTES:
-            self._settled_s = math.inf
+            self._grown_s = math.inf
             return
-        guilty = {handle for handle in self._handles if _sends(handle)}
-        if not guilty and not busy:
-            if now_s > self._settled_s:  # none of them uses the memory
-                self._usual, self._settled_s = used, math.inf
-                return
-            guilty = set() if self._settled_s < math.inf else set(self._handles)
-            self._settled_s = min(self._settled_s, now_s + SETTLE_S)
+        if self._grown_s == math.inf:
+            self._grown_s, self._settled_s = now_s, now_s + SETTLE_S
+        guilty = {handle for handle in self._accepted_s if _sends(handle)}
+        if not guilty and not busy and now_s > self._settled_s:
+            guilty = {one for one, since_s in self._accepted_s.items() if since_s < self._grown_s}
+            self._settled_s = now_s + SETTLE_S
+            if not guilty:  # none of them uses the memory
+                self._usual, self._grown_s = used, math.inf
         if guilty:
             log.warning("grown to %.0f MB: %d connections are ended", used / 1e6, len(guilty))
-        self._end(guilty)
+            self._end(guilty)
 
-    def _note(self) -> None:
+    def _note(self, now_s: float) -> None:
         """Record new and ended connections."""
         for monitor in self._monitors:
             while monitor.poll(0):
                 event = recv_monitor_message(monitor)
                 if event["event"] == zmq.EVENT_ACCEPTED:
-                    self._handles.add(event["value"])
+                    self._accepted_s[event["value"]] = now_s
                 else:
-                    self._handles.discard(event["value"])
+                    self._accepted_s.pop(event["value"], None)
 
     def _end(self, handles: set[int]) -> None:
-        for handle in handles & self._handles:
+        for handle in handles & self._accepted_s.keys():
             with suppress(OSError):
                 connection = os_socket.socket(fileno=handle)
                 try:

@@ -11,6 +11,7 @@ import time
 from collections.abc import Iterator
 from contextlib import closing, suppress
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import msgspec
@@ -29,6 +30,7 @@ from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
+from rigapp.service.server import Connections
 
 BATCH = 40
 SAFETY_VERBS = {name for name, verb in VERBS.items() if verb.lane is Priority.SAFETY}
@@ -341,6 +343,47 @@ def test_a_viewer_that_sends_nothing_keeps_what_it_gets_when_another_takes_memor
         while viewer.poll() is not None:
             pass
         until(lambda: viewer.poll() is not None, "snapshots come again")
+
+
+def test_a_request_sent_while_memory_is_being_freed_is_not_ended(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sending: set[int] = set()
+    used = SimpleNamespace(rss=10 * GROWTH_BYTES)
+    monkeypatch.setattr("rigapp.service.server._sends", lambda handle: handle in sending)
+    monkeypatch.setattr("rigapp.service.server.GROWTH_BYTES", GROWTH_BYTES)
+    context = zmq.Context()
+    with context.socket(zmq.ROUTER) as router:
+        connections = Connections([router])
+        monkeypatch.setattr(connections, "_process", SimpleNamespace(memory_info=lambda: used))
+        address = f"ipc://{tmp_path}/commands"
+        router.bind(address)
+        connections._usual = used.rss
+        connections.bound_memory(0.0, busy=False)
+
+        def accepted(count: int, now_s: float) -> bool:
+            connections.bound_memory(now_s, busy=False)
+            return len(connections._accepted_s) == count
+
+        with closing(RawPeer(address, b"DEALER")) as silent:
+            until(lambda: accepted(1, 1.0), "the first connection is known")
+            sender = RawPeer(address, b"DEALER")
+            until(lambda: accepted(2, 1.0), "the second connection is known")
+            sending.add(max(connections._accepted_s))
+            used.rss = 13 * GROWTH_BYTES
+            until(lambda: accepted(1, 2.0), "the one that sends is ended")
+            sending.clear()
+            assert accepted(1, 2.9), "nobody is ended while memory is being freed"
+            with closing(RawPeer(address, b"DEALER")) as viewer:
+                until(lambda: accepted(2, 2.9), "a viewer sends a request")
+                until(lambda: accepted(1, 3.5), "the connection from before the growth is ended")
+                assert not silent._socket.recv(1), "the silent one"
+                assert accepted(1, 4.0), "the viewer keeps its connection"
+                assert accepted(1, 5.0), "the viewer keeps its connection"
+                assert connections._usual == used.rss, "none of the connections holds the memory"
+                assert viewer.send(b"")
+            sender.close()
+    context.destroy(linger=0)
 
 
 def test_a_message_of_many_parts_ends_its_connection(client: Client) -> None:
