@@ -66,6 +66,8 @@ class Subscription:
         self._cycle: Any = None
         self._lock = threading.Lock()
         self.rows_dropped = 0
+        self.on_news: Callable[[], object] = lambda: None
+        """Called in the engine's thread when ``waits`` becomes true; must not wait."""
 
     def restart(self, first_row: int) -> None:
         """Start with another file and drop the rows of the previous one."""
@@ -80,19 +82,25 @@ class Subscription:
     def add_row(self, row: Array, index: int, cycle: Any) -> None:
         """Add a row, its index in the file and a function that returns its complete cycle."""
         with self._lock:
+            known = self.waits
             self.rows_dropped += len(self._rows) == self._rows.maxlen
             self._rows.append(row)
             self._next_row = index + 1
             self._cycle = cycle
+        if not known:
+            self.on_news()
 
     def add_prediction(
         self, values: Array, prediction: Prediction, profile: WornProfile | None = None
     ) -> None:
         """Add a prediction, and a new worn profile, if any."""
         with self._lock:
+            known = self.waits
             self._predictions.append(values)
             self._prediction = prediction
             self._profile = profile or self._profile
+        if not known:
+            self.on_news()
 
     @property
     def waits(self) -> bool:

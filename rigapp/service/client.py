@@ -75,6 +75,11 @@ class Client:
         self._leave = threading.Event()
         self._presence: threading.Thread | None = None
 
+    @property
+    def handle(self) -> int:
+        """Return the handle that becomes readable when ``poll`` may have news (ZMQ_FD)."""
+        return int(self._stream.fileno())
+
     def poll(self) -> Snapshot | None:
         """Return the snapshots since the last call, merged into one, or None.
 

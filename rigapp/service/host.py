@@ -153,6 +153,7 @@ class EngineHost:
         self.queue = RigQueue(rig.path, hands, self.engine.watch())
         self.handle = RequestHandler(self).handle
         self._server = self._listen(bind)
+        self._subscription.on_news = self._server.wake
         self._server.start()
         announce(
             EngineEntry(

@@ -165,7 +165,6 @@ MEMORY_PERIOD_S = 0.05  # a sender on this computer fills 30 MB meanwhile
 EARLY_PERIOD_S = 0.1
 """Period in which two snapshots are sent early: of a revolution that has just ended, and of its
 prediction. A real rig is slower; a faster simulated one is limited by this period."""
-POLL_MS = 10  # latest delay of a request
 CLOSE_S = 5.0  # for running requests; a handler that takes longer is abandoned
 LINGER_MS = 200  # longest time for sending the last snapshot
 
@@ -244,14 +243,16 @@ class Server:
 
         on_failure: called in the serving thread when viewers get no snapshots, or nothing at all.
         on_viewers: called when the first viewer attaches and when the last one has detached.
-        waits: returns whether there is data that must be sent immediately. keys: folder with the
-        keys, if viewers must authenticate. Raises UnusableInput when an address is unavailable.
+        waits: returns whether there is data that must be sent immediately, after a call of
+        ``wake``. keys: folder with the keys, if viewers must authenticate. Raises UnusableInput
+        when an address is unavailable.
         """
         self._handler = handler
         self._on_failure = on_failure
         self._on_viewers = on_viewers
         self._waits = waits
         self._failure_reported = False
+        self._wake = Wake()
         self._snapshots = snapshots
         self._context = zmq.Context()
         self._key_check = KeyCheck(self._context, keys) if keys is not None else None
@@ -289,9 +290,14 @@ class Server:
         """Start to serve."""
         self._thread.start()
 
+    def wake(self) -> None:
+        """Send a waiting reply or new data now; may be called from any thread, never waits."""
+        self._wake.set()
+
     def close(self) -> None:
         """Publish the last snapshot, answer running requests, release the sockets."""
         self._stop.set()
+        self.wake()
         if self._thread.is_alive():
             self._thread.join(timeout=CLOSE_S)
         self._release()
@@ -311,6 +317,7 @@ class Server:
         if self._key_check is not None:
             self._key_check.close()
         self._context.destroy(linger=LINGER_MS)
+        self._wake.close()
 
     @property
     def alive(self) -> bool:
@@ -322,10 +329,12 @@ class Server:
             poller = zmq.Poller()
             poller.register(self._router, zmq.POLLIN)
             poller.register(self._publisher, zmq.POLLIN)
+            poller.register(self._wake, zmq.POLLIN)
             clock, haste = _Period(PUBLISH_PERIOD_S), _RateLimit(EARLY_PERIOD_S)
             watch = _Period(MEMORY_PERIOD_S)
             while not self._stop.is_set():
-                ready = dict(poller.poll(POLL_MS))
+                ready = dict(poller.poll(math.ceil(1000.0 * min(clock.left_s(), watch.left_s()))))
+                self._wake.clear()
                 if self._router in ready:
                     self._accept()
                 if self._publisher in ready:
@@ -400,6 +409,7 @@ class Server:
                 refusal(say("The engine failed to do this ‹{}›.", repr(error)), request.identifier)
             )
         self._replies.put((sender, body))
+        self.wake()
 
     def _send_replies(self) -> None:
         while True:
@@ -431,12 +441,45 @@ class Server:
                 self._note_viewers()
 
 
+class Wake:
+    """A flag that ends the waiting of a thread in ``zmq.Poller``: a byte in a pair of sockets."""
+
+    def __init__(self) -> None:
+        self._here, self._there = os_socket.socketpair()
+        for end in (self._here, self._there):
+            end.setblocking(False)
+
+    def fileno(self) -> int:
+        """Return the handle to wait for."""
+        return self._here.fileno()
+
+    def set(self) -> None:
+        """End the waiting; may be called from any thread, also after ``close``."""
+        with suppress(OSError):  # full: the flag is set
+            self._there.send(b"\0")
+
+    def clear(self) -> None:
+        """Clear the flag."""
+        with suppress(BlockingIOError):
+            while self._here.recv(4096):
+                pass
+
+    def close(self) -> None:
+        """Close the pair."""
+        self._here.close()
+        self._there.close()
+
+
 class _Period:
     """Timer for periodic actions."""
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
         self._next = time.monotonic()
+
+    def left_s(self) -> float:
+        """Return the time until the next period."""
+        return max(0.0, self._next - time.monotonic())
 
     def due(self) -> bool:
         """Return True once a period."""

@@ -165,6 +165,14 @@ class EngineConnection:
         """Return the last revolution of the recorded test that is played, 0 without one."""
         return int(getattr(self._client, "last_recorded", 0))
 
+    @property
+    def handle(self) -> int | None:
+        """Return the handle that becomes readable when ``pump`` may have news, if there is one.
+
+        Readable once for all that has come: call ``pump`` then.
+        """
+        return getattr(self._client, "handle", None)
+
     def silence_s(self) -> float:
         """Return the seconds since the engine's last message (0 before the first)."""
         if self._last_snapshot_at is None:

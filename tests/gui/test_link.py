@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 from patience import PATIENCE_MS
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QWidget
 
-from rigapp.gui.window.rhythm import IDLE, IN_TEST
+from rigapp.gui.window.rhythm import IDLE, IN_TEST, Pulse
+from rigapp.gui.window.watchdog import Watchdog
 from rigapp.schema.messages import Reply, RunState
 from rigapp.viewer.connection import (
     FIRST_SNAPSHOT_S,
@@ -209,3 +213,34 @@ def test_the_window_looks_often_during_a_test_and_seldom_without_one(
         attach()
         assert window.pulse.rhythm == rhythm
         assert window.pulse.look.interval() == rhythm.look_ms
+
+
+def test_news_of_a_running_test_is_taken_when_it_comes(qtbot: Any) -> None:
+    here, there = socket.socketpair()
+    other, other_there = socket.socketpair()
+    taken: list[bytes] = []
+    window = QWidget()
+    qtbot.addWidget(window)
+    with here, there, other, other_there:
+        pulse = Pulse(lambda: taken.append(pulse_source.recv(10)), lambda: None, Watchdog(), window)
+        pulse_source = here
+        pulse.listen(here.fileno())
+        there.send(b"1")
+        qtbot.waitUntil(lambda: taken == [b"1"], timeout=PATIENCE_MS)
+
+        pulse.keep(IDLE)  # the timer, which is not started here, would take it
+        there.send(b"2")
+        QCoreApplication.processEvents()
+        assert taken == [b"1"]
+        pulse.keep(IN_TEST)
+        qtbot.waitUntil(lambda: taken == [b"1", b"2"], timeout=PATIENCE_MS)
+
+        pulse_source = other  # another engine
+        pulse.listen(other.fileno())
+        there.send(b"3")
+        other_there.send(b"4")
+        qtbot.waitUntil(lambda: taken == [b"1", b"2", b"4"], timeout=PATIENCE_MS)
+        pulse.stop()
+        other_there.send(b"5")
+        QCoreApplication.processEvents()
+        assert len(taken) == 3

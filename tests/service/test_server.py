@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import select
 import threading
 import time
 from collections.abc import Iterator
@@ -15,6 +16,7 @@ from hypothesis import strategies as st
 from patience import PATIENCE_S
 from snapshots import make_status
 
+from rigapp.engine.publish import Publisher
 from rigapp.process.stale_files import process_alive
 from rigapp.schema.channels import BASE
 from rigapp.schema.messages import (
@@ -38,7 +40,7 @@ from rigapp.service.registry import (
     running_engines,
     withdraw,
 )
-from rigapp.service.server import EARLY_PERIOD_S, UNDER_WAY, Server, _RateLimit
+from rigapp.service.server import EARLY_PERIOD_S, UNDER_WAY, Server, Wake, _RateLimit
 
 
 def status(revolution: int = 0) -> Status:
@@ -292,6 +294,56 @@ def test_a_revolution_and_its_prediction_are_sent_at_once_but_not_every_one_of_a
     assert [haste.allowed(one) for one in moments] == [
         True, True, False, False, True, False, True, True
     ]  # fmt: skip
+
+
+def test_news_and_replies_do_not_wait_for_the_next_period(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("rigapp.service.server.PUBLISH_PERIOD_S", 3600.0)
+    monkeypatch.setattr("rigapp.service.server.MEMORY_PERIOD_S", 3600.0)
+    subscription = Publisher({"x": "N"}).subscribe()
+
+    def handler(request: Request) -> Reply:
+        time.sleep(0.05)  # the serving thread waits for its sockets meanwhile
+        return Reply(ok=True)
+
+    server = Server(
+        handler,
+        lambda: subscription.take(lambda: status(1)),
+        f"ipc://{tmp_path}/c",
+        f"ipc://{tmp_path}/s",
+        waits=lambda: subscription.waits,
+    )
+    subscription.on_news = server.wake
+    server.start()
+    client = Client(EngineEntry(1, server.commands, server.stream, "rig.toml", 0.0))
+    try:
+        until(lambda: client.poll() is None and server.watched)
+        assert client.request("stop", timeout_s=PATIENCE_S).ok
+        for index in range(3):
+            subscription.add_row(np.array([float(index)]), index, lambda: None)
+            assert select.select([client.handle], [], [], PATIENCE_S)[0], "nothing was sent"
+            got: list[Snapshot] = []
+            until(lambda got=got: got.extend(one for one in [client.poll()] if one) or got)
+            assert got[0].first_row == index
+            until(lambda: not subscription.waits)
+            time.sleep(EARLY_PERIOD_S)
+    finally:
+        client.close()
+        server.close()
+
+
+def test_a_wake_up_is_not_lost_and_does_not_block_when_nobody_waits() -> None:
+    wake = Wake()
+    for _ in range(100_000):
+        wake.set()
+    assert select.select([wake], [], [], 0.0)[0]
+    wake.clear()
+    assert not select.select([wake], [], [], 0.0)[0]
+    wake.set()
+    assert select.select([wake], [], [], 0.0)[0]
+    wake.close()
+    wake.set()
 
 
 def test_first_and_last_viewer_are_told(tmp_path: Path) -> None:

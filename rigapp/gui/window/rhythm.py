@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QSocketNotifier, QTimer
 from PySide6.QtWidgets import QWidget
 
 from rigapp.gui.window.watchdog import IDLE_PERIOD_S, PERIOD_S, Watchdog
@@ -20,11 +20,11 @@ class Rhythm:
     beat_s: float
 
 
-IN_TEST = Rhythm(10, 25, PERIOD_S)
-"""Rhythm in a test: a revolution must be on the screen 70 ms after its end."""
+IN_TEST = Rhythm(20, 25, PERIOD_S)
+"""Rhythm in a test; news of the engine is drawn when it comes."""
 
 IDLE = Rhythm(250, 100, IDLE_PERIOD_S)
-"""Rhythm while idle, which uses little processor time."""
+"""Rhythm while idle, which uses little processor time; news waits for the next poll."""
 
 STATE_EVERY = 10
 """Number of polls between two updates of the state bar without news, since its ages increase."""
@@ -37,7 +37,10 @@ SLOW_EVERY = 20
 
 
 class Pulse:
-    """Timers for polling and for parts of the drawing in a rhythm, and the watchdog for stalls."""
+    """Timers for polling and for parts of the drawing in a rhythm, and the watchdog for stalls.
+
+    In a test the engine's socket ends the waiting of the poll, so that no time is lost.
+    """
 
     def __init__(
         self,
@@ -47,8 +50,11 @@ class Pulse:
         on: QWidget,
     ) -> None:
         self.look, self._part, self._watchdog = QTimer(on), QTimer(on), watchdog
+        self._look = look
         self.look.timeout.connect(look)
         self._part.timeout.connect(draw_part)
+        self._on = on
+        self._notifier: QSocketNotifier | None = None
         self.rhythm: Rhythm | None = None
         self.keep(IN_TEST)
 
@@ -59,6 +65,24 @@ class Pulse:
             self.look.setInterval(rhythm.look_ms)
             self._part.setInterval(rhythm.part_ms)
             self._watchdog.beat_every(rhythm.beat_s)
+            self._notify()
+
+    def listen(self, handle: int | None) -> None:
+        """Poll as soon as a handle becomes readable; None: only by the timer."""
+        if handle == (None if self._notifier is None else int(self._notifier.socket())):
+            return
+        if self._notifier is not None:
+            self._notifier.setEnabled(False)
+            self._notifier.deleteLater()
+            self._notifier = None
+        if handle is not None:
+            self._notifier = QSocketNotifier(handle, QSocketNotifier.Type.Read, self._on)
+            self._notifier.activated.connect(lambda: self._look())
+            self._notify()
+
+    def _notify(self) -> None:
+        if self._notifier is not None:
+            self._notifier.setEnabled(self.rhythm is IN_TEST)
 
     def start(self) -> None:
         """Start the timers."""
@@ -66,6 +90,7 @@ class Pulse:
             timer.start()
 
     def stop(self) -> None:
-        """Stop the timers."""
+        """Stop the timers and forget the handle."""
+        self.listen(None)
         for timer in (self.look, self._part, self._watchdog):
             timer.stop()

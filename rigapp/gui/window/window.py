@@ -219,6 +219,7 @@ class MainWindow(QMainWindow):
         self._identifier.deliver()
         before = self._connection.state
         snapshot = self._connection.pump()
+        self.pulse.listen(self._connection.handle)
         if snapshot is not None:
             self._take(snapshot)
         news = snapshot is not None or before is not self._connection.state
