@@ -69,7 +69,7 @@ search: $(TEST_READY) kernels
 bench: $(BENCH_READY) kernels
 	$(BIN)/python -m benchmarks
 
-# What a release is proved by, a quarter of an hour: types of the other systems, notebooks, series of
+# What a release is proved by, one to two hours: types of the other systems, notebooks, series of
 # killed writers, every layout in every language.
 long: $(TEST_READY) kernels
 	$(BIN)/mypy --platform win32 --cache-dir .mypy_cache/win32

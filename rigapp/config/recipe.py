@@ -28,7 +28,7 @@ MOST_STEPS = 1000
 
 
 class RunStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """[[run.step]]: so many revolutions, or so long, at a speed of their own, then a rest.
+    """[[run.step]]: a number of revolutions, or a duration, at a speed of their own, then a rest.
 
     rest_s: not after the last revolution of the test.
     """

@@ -161,7 +161,7 @@ def _of_state(way: NotifySection, seen: StateChanged) -> Iterator[_Change]:
     if seen.state is RunState.PAUSED and not seen.resting and "pause" in way.when:
         reason = seen.reason.strip()
         why = f"Why: {reason}." if reason else "No reason was given."
-        yield _Begun("pause", "warning", "Test paused", f"The spindle stands. {why}")
+        yield _Begun("pause", "warning", "Test paused", f"The spindle is at rest. {why}")
     elif seen.state is RunState.RUNNING:
         yield _Ended("pause", "The test runs again")
     elif seen.state not in ACTIVE:

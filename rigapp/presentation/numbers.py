@@ -62,7 +62,7 @@ def with_uncertainty(value: float, uncertainty: float, unit: str) -> str:
 
 
 def _decimals(value: float, digits: int) -> int:
-    """Return the decimals that show a positive value with so many significant digits."""
+    """Return the decimals that a positive value needs for ``digits`` significant digits."""
     # The exponent of the rounded value: 0.0996 with two digits is 0.10, one place less.
     return max(0, digits - 1 - int(f"{value:.{digits - 1}e}".partition("e")[2]))
 

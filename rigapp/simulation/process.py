@@ -57,7 +57,7 @@ def _options(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument(
         "--exit-with-parent",
         action="store_true",
-        help="when stdin ends, go on until the spindle stands still, at most 10 s",
+        help="when stdin ends, continue until the spindle is at rest, at most 10 s",
     )
     return parser.parse_args(argv)
 

@@ -75,8 +75,8 @@ class StudyPoint:
 class Design:
     """All rows. blocks: base points of the sensitivities, 0 without.
 
-    With blocks the rows begin with so many base points A, then so many B, then for each key those
-    of A with that key from B (Saltelli 2010).
+    With blocks the rows begin with ``blocks`` base points A, then as many B, then for each key
+    those of A with that key from B (Saltelli 2010).
     """
 
     points: tuple[StudyPoint, ...]

@@ -2,9 +2,9 @@
 
 The mean of measured minus predicted, both components against the crank angle, contains the effect
 of each tolerance, the errors of the load cell, and noise. Under this
-covariance the amplitude of each cause is estimated; one whose amplitude is beyond its limits (for
-so many causes: Baarda's test of outliers) explains the difference. The clearance hardly changes a
-force: it follows from the position of the pin in the new bushing.
+covariance the amplitude of each cause is estimated; one whose amplitude is beyond its limits (by
+Baarda's test of outliers for this number of causes) explains the difference. The clearance hardly
+changes a force: it follows from the position of the pin in the new bushing.
 """
 
 from __future__ import annotations

@@ -241,7 +241,7 @@ def test_limits_are_changed_with_a_reason_while_a_test_runs(
     panel.show_limits(RunState.RUNNING, test, {"force_max.critical_above": 180.0})
     panel.show_limits(RunState.RUNNING, test, {}, 21_377)
     rows = panel.table.texts()
-    panel.table.selectRow([row[0] for row in rows].index("Test complete after so many revolutions"))
+    panel.table.selectRow([row[0] for row in rows].index("Revolutions of the complete test"))
     assert panel.value.text() == "21377"
     panel.reason.setText("the joint is still good")
     panel.value.setText("30000.5")

@@ -34,7 +34,7 @@ from rigapp_drivers.dataq.protocol import (
     without_echo,
 )
 
-GUARD: Final = 4  # a wrong scan passes so many checks with odds of 65536^-4 (encoder clock)
+GUARD: Final = 4  # a wrong scan passes this number of checks with odds of 65536^-4 (encoder clock)
 MOST_LOST: Final = COUNTER_SPAN // 2  # beyond this the 16-bit counter's direction is ambiguous
 GAP: Final = Quality.LOST_BEFORE | Quality.COUNT_SUSPECT
 

@@ -254,8 +254,8 @@ def _refuse_faint_wear(parameters: Parameters, loads: CycleLoads, cycles: float)
             "wear_coefficient",
             coefficient,
             say(
-                "so many cycles wear less than numbers resolve; give 0, at least {:.1g}, or more"
-                " cycles",
+                "the wear of these cycles is below the resolution of the numbers; give 0, or at"
+                " least {:.1g}, or more cycles",
                 least / unit,
             ),
             "m^2/N",

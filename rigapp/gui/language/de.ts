@@ -8336,8 +8336,8 @@ ab {}</translation>
         <translation>Versuchs&amp;datei</translation>
     </message>
     <message>
-        <source>Test complete after so many revolutions</source>
-        <translation>Versuch vollständig nach so vielen Umdrehungen</translation>
+        <source>Revolutions of the complete test</source>
+        <translation>Umdrehungen des vollständigen Versuchs</translation>
     </message>
     <message>
         <source>Test file</source>
@@ -15309,8 +15309,8 @@ Mittel (µm)</translation>
         <translation>signiert von {} ({})</translation>
     </message>
     <message>
-        <source>so many cycles wear less than numbers resolve; give 0, at least {:.1g}, or more cycles</source>
-        <translation>so viele Zyklen verschleißen weniger, als Zahlen auflösen; 0, mindestens {:.1g} oder mehr Zyklen angeben</translation>
+        <source>the wear of these cycles is below the resolution of the numbers; give 0, or at least {:.1g}, or more cycles</source>
+        <translation>der Verschleiß dieser Zyklen liegt unter der Auflösung der Zahlen; 0, mindestens {:.1g} oder mehr Zyklen angeben</translation>
     </message>
     <message>
         <source>spindle.device and encoder.device are both {}; the drive and the data acquisition are separate devices in a simulated rig</source>

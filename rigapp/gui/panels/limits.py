@@ -120,9 +120,7 @@ class LimitPanel(QGroupBox):
         self._active = state in ACTIVE
         limits = limits_of(test, changed, self._channels)
         if planned > 0:
-            limits[REVOLUTIONS] = ShownLimit(
-                tr("Test complete after so many revolutions"), float(planned)
-            )
+            limits[REVOLUTIONS] = ShownLimit(tr("Revolutions of the complete test"), float(planned))
         if limits != self._shown:
             self._shown = limits
             self.table.show_rows(
