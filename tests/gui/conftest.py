@@ -68,6 +68,7 @@ class ScriptedEngine:
         self.requests: list[tuple[str, dict[str, Any]]] = []
         self.reply = Reply(ok=True)
         self.dead = False
+        self.keeps_talking = False
         self.refuses_clients = False
         self.clients = 0
         self.answering = threading.Event()
@@ -97,12 +98,19 @@ class ScriptedClient:
         self._engine = engine
         self.operator = ""
         self.closed = False
+        self._last: Snapshot | None = None
 
     def poll(self) -> Snapshot | None:
-        """Return the next snapshot; fail when the engine is dead."""
+        """Return the next snapshot, or the last once more if the engine keeps talking.
+
+        Fails when the engine is dead.
+        """
         if self._engine.dead:
             raise ConnectionError("the engine closed the connection")
-        return self._engine.snapshots.pop(0) if self._engine.snapshots else None
+        if self._engine.snapshots:
+            self._last = self._engine.snapshots.pop(0)
+            return self._last
+        return self._last if self._engine.keeps_talking else None
 
     def request(
         self, verb: str, arguments: dict[str, Any] | None = None, timeout_s: float = 5.0

@@ -454,5 +454,5 @@ def test_a_coefficient_lost_in_rounding_is_refused_in_words(
     parameters, coefficient: float, method: str
 ) -> None:
     faint = replace(parameters, bushing=replace(parameters.bushing, wear_coefficient=coefficient))
-    with pytest.raises(ModelError, match="less than numbers resolve"):
+    with pytest.raises(ModelError, match="below the resolution of the numbers"):
         life(faint, RPM30, 1000.0, tolerance=1e-2, method=method)
