@@ -7,6 +7,7 @@ orders may be hidden by the resolution of the counts.
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,6 +45,9 @@ COUNTED = 0.6
 """Error of that mean, in counts, where a constant speed beats slowly with the counts."""
 BANDWIDTH = 3
 """Highest order of a sudden change, as a multiple of the highest order searched."""
+LINE_STEPS, LINE_RESOLUTION = 60, 1e-12
+"""Maximum number of slopes that are tried for a line (ten at most were needed), and its resolution
+in counts."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -204,16 +208,31 @@ def _residual_motion(unwrapped: Array, smooth: Array, quantum: float) -> tuple[A
 
 
 def _line_of_least_span(residual: Array, quantum: float) -> Array:
-    """Return the line with the least span of residuals; one count at a constant speed."""
+    """Return the line with the least span of residuals; one count at a constant speed.
+
+    The span is a convex, piecewise linear function of the slope: the next slope is where the lines
+    that touch it at both ends intersect, so that some six spans find the minimum itself.
+    """
     tau = np.linspace(-1.0, 1.0, len(residual))
-    low, high = -quantum, quantum
-    for _ in range(40):
-        lower, upper = low + (high - low) / 3.0, high - (high - low) / 3.0
-        if np.ptp(residual - lower * tau) < np.ptp(residual - upper * tau):
-            high = upper
-        else:
-            low = lower
-    return np.asarray(0.5 * (low + high) * tau)
+
+    def touching(slope: float) -> tuple[float, float, float]:
+        """Return a slope, the span there, and how the span changes with it."""
+        straight = residual - slope * tau
+        top, bottom = int(straight.argmax()), int(straight.argmin())
+        return slope, float(straight[top] - straight[bottom]), float(tau[bottom] - tau[top])
+
+    low, high = touching(-quantum), touching(quantum)
+    best = min(low, high, key=operator.itemgetter(1))
+    for _ in range(LINE_STEPS):
+        if low[2] >= 0.0 or high[2] <= 0.0:
+            break
+        slope = (high[1] - low[1] + low[2] * low[0] - high[2] * high[0]) / (low[2] - high[2])
+        bound = low[1] + low[2] * (slope - low[0])
+        best = middle = touching(slope)
+        if middle[1] <= bound + LINE_RESOLUTION * quantum:
+            break
+        low, high = (middle, high) if middle[2] < 0.0 else (low, middle)
+    return np.asarray(best[0] * tau)
 
 
 def _widest_gap(residual: Array, quantum: float) -> float:

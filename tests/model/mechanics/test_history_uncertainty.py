@@ -6,7 +6,11 @@ import numpy as np
 import pytest
 
 from rigapp_model.history import smooth_history
-from rigapp_model.history_uncertainty import MotionUncertainty, motion_uncertainty
+from rigapp_model.history_uncertainty import (
+    MotionUncertainty,
+    _line_of_least_span,
+    motion_uncertainty,
+)
 
 COUNT = 2.0 * np.pi / 3600.0
 FINE = 50
@@ -130,3 +134,16 @@ def test_the_angle_is_covered_at_the_seam_of_a_run_up(begin: float, end: float) 
     off = np.abs(history.angle + 0.5 * COUNT - angle)  # whole counts are half a one behind
     assert np.mean(off <= 2.0 * found.angle) > 0.95
     assert (off / (2.0 * found.angle)).max() < 1.5
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_line_of_least_span_has_the_least_span_of_all_lines(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    size = int(random.integers(3, 800))
+    tau = np.linspace(-1.0, 1.0, size)
+    turn = np.linspace(0.0, 2.0 * np.pi, size)
+    angle = turn + random.uniform(0.0, 0.02) * np.sin(random.integers(1, 9) * turn)
+    residual = angle - COUNT * np.floor(angle / COUNT) + random.uniform(-2.0, 2.0) * COUNT * tau
+    least = np.ptp(residual - _line_of_least_span(residual, COUNT))
+    slopes = np.linspace(-COUNT, COUNT, 2001)
+    assert all(least <= np.ptp(residual - slope * tau) + 1e-9 * COUNT for slope in slopes)
