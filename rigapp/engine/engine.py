@@ -187,6 +187,7 @@ class Engine:
         if connection is None:
             return
         hanging = connection.close()
+        self._wires.end()
         give_back()  # the C library retains memory of the connection's threads
         self._core.control = None
         for name in hanging:

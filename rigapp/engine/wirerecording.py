@@ -21,11 +21,13 @@ class WireRecording:
 
     folder: of the rig file, whose key ``record`` records to its folder ``wire``. file: of
     ``--record-wire``, which records all devices, each to a file with its name; None without it.
+    Each connection has a file of its own.
     """
 
     def __init__(self, folder: Path = Path(), file: Path | None = None) -> None:
         self.folder, self.file = folder, file
         self._lines: dict[str, tuple[str, dict[str, Any]]] = {}
+        self._set: dict[str, WireRecorder] = {}
         self._report: Path | None = None
         self._reported: Collection[str] = ()
         self._recorders: dict[str, WireRecorder] = {}
@@ -39,6 +41,7 @@ class WireRecording:
         settings: Mapping[str, Any],
     ) -> None:
         """Start recording a device's line if requested, else stop it."""
+        self._end(device)
         path = self._path(device, wanted)
         header = {
             "device": device,
@@ -47,12 +50,25 @@ class WireRecording:
             "protocol": driver.protocol,
             "settings": dict(settings),
         }
-        record_line(device, port, WireRecorder(path, header) if path is not None else None)
+        if path is not None:
+            self._set[device] = WireRecorder(path, header)
+            record_line(device, port, self._set[device])
         before, _ = self._lines.get(device, (port, header))
         if before != port:  # the port of a simulated device changes each time
             record_line(device, before, None, RecordedFor.REPORT)
         self._lines[device] = port, header
         self._record_for_report(device)
+
+    def end(self) -> None:
+        """End the recordings by the rig file and ``--record-wire`` and complete their files."""
+        for device in tuple(self._set):
+            self._end(device)
+
+    def _end(self, device: str) -> None:
+        recorder = self._set.pop(device, None)
+        if recorder is not None:
+            record_line(device, self._lines[device][0], None)
+            recorder.close()
 
     def begin_report(self, folder: Path, devices: Collection[str]) -> None:
         """Also record the lines of devices to a folder, of those not open yet after opening."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import socket
 import time
 import zipfile
 from collections.abc import Iterator
@@ -24,8 +23,9 @@ from rigapp_drivers.wire.trace import RecordKind, read_trace
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 OPERATOR = "Wilhelmine Musterfrau"
+COMPUTER = "musterstadt-lab-7"  # a short name would occur in the bytes of a line by chance
 SECRETS = (
-    OPERATOR, "Musterfrau", socket.gethostname(), "hooks.example.org", "T0P-S3CRET",
+    OPERATOR, "Musterfrau", COMPUTER, "hooks.example.org", "T0P-S3CRET",
     "wilhelmine@example.org", "/home/musterfrau", "Ask Wilhelmine", "192.0.2.7",
 )  # fmt: skip
 PRIVATE = """
@@ -40,6 +40,7 @@ when = ["critical"]
 @pytest.fixture
 def host(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[EngineHost]:
     monkeypatch.setenv("RIGAPP_RUNTIME_DIR", str(tmp_path / "run"))
+    monkeypatch.setattr("socket.gethostname", lambda: COMPUTER)
     rig = tmp_path / "rig.toml"
     rig.write_text((EXAMPLES / "simulated.toml").read_text("utf-8") + PRIVATE, "utf-8")
     host = EngineHost(read_rig(rig), 1.0)
@@ -70,7 +71,8 @@ def test_a_report_has_the_set_up_of_the_devices_and_nothing_private(
     assert "daq, drive" in reply.sentence
     ask(host, "note", text="wilhelmine@example.org called from 192.0.2.7")
     host.engine.log("device", f"{OPERATOR} at http://hooks.example.org/T0P-S3CRET", OPERATOR)
-    logs.logging.getLogger("rigapp.test").info("%s said: /home/musterfrau/labor.key", OPERATOR)
+    logger = logs.logging.getLogger("rigapp.test")
+    logger.info("%s on %s said: /home/musterfrau/labor.key", OPERATOR, COMPUTER)
     drive = host.reports._folder / "drive.wire"
     until(lambda: drive.exists() and len(read_trace(drive).records) > 30, "the drive is polled")
     assert ask(host, "report_end").ok
@@ -82,7 +84,7 @@ def test_a_report_has_the_set_up_of_the_devices_and_nothing_private(
     told = said_in(file)
     for secret in SECRETS:
         assert secret.casefold() not in told.casefold(), secret
-    assert "[name] said: [home]/labor.key" in found["log.txt"].decode()
+    assert "[name] on [name] said: [home]/labor.key" in found["log.txt"].decode()
     rig = tmp_path / "packed.toml"
     rig.write_bytes(found["rig.toml"])
     assert read_rig(rig).record.devices.keys() == {"daq", "drive"}

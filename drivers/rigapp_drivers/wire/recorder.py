@@ -30,7 +30,8 @@ _log = logging.getLogger(__name__)
 class WireRecorder:
     """Record one line into a file, from any thread; a write error ends the recording.
 
-    header: first record of the file (device, driver, settings, protocol).
+    path: an earlier recording there is kept, and this one gets a name with a number. header: first
+    record of the file (device, driver, settings, protocol).
     """
 
     def __init__(
@@ -137,19 +138,39 @@ class WireRecorder:
 
     def _open(self) -> BinaryIO:
         if self._file is None:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            self._file = self.path.open("ab" if self._begun else "wb")
             if not self._begun:
+                self._begin()
                 self._begun = True
-                started = {"started": datetime.now(UTC).isoformat(timespec="seconds")}
-                self._file.write(MAGIC + encode_note(time.monotonic_ns(), self._header | started))
+            self._file = self.path.open("ab")
         return self._file
+
+    def _begin(self) -> None:
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        if self._number == 1:
+            self.path = _unused(self.path)
+        started = {"started": datetime.now(UTC).isoformat(timespec="seconds")}
+        # Who reads a recording while it is made never finds it without its beginning.
+        part = self.path.with_name(f".{self.path.name}.part")
+        try:
+            part.write_bytes(MAGIC + encode_note(time.monotonic_ns(), self._header | started))
+            part.replace(self.path)
+        finally:
+            part.unlink(missing_ok=True)
 
     def _rotate(self, file: BinaryIO) -> None:
         file.close()
         self._file, self._begun = None, False
         number, self._number = self._number, 2
         self.path.replace(self.path.with_name(f"{self.path.name}.{number}"))
+
+
+def _unused(path: Path) -> Path:
+    """Return the path, with a number if a file of an earlier recording has its name."""
+    number, one = 1, path
+    while any(one.with_name(one.name + end).exists() for end in ("", ".1", ".2")):
+        number += 1
+        one = path.with_name(f"{path.stem}-{number}{path.suffix}")
+    return one
 
 
 class RecordedFor(enum.Enum):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import random
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ import pytest
 
 from rigapp.commands.status import shown
 from rigapp.config.errors import UnusableInput
+from rigapp.engine.wirerecording import WireRecording
 from rigapp.testing.traces import check_trace
 from rigapp_drivers.api import ConnectionFailed, DataRequest, ReplyTimeout, SlowRequest
 from rigapp_drivers.edge import make_driver
@@ -20,7 +22,7 @@ from rigapp_drivers.registry import load_driver
 from rigapp_drivers.simulator_api import RigSignals
 from rigapp_drivers.transport import SerialPort
 from rigapp_drivers.wire.ports import PortNotFound, actual_port, port_of_number, stable_name
-from rigapp_drivers.wire.recorder import WireRecorder, record_line
+from rigapp_drivers.wire.recorder import LIMIT_BYTES, WireRecorder, record_line, recorders_of
 from rigapp_drivers.wire.trace import MAGIC, RecordKind, TraceError, read_trace
 
 HEADER = {"device": "d", "driver": "roboclaw", "protocol": "bytes", "settings": {}}
@@ -81,6 +83,58 @@ def test_a_recording_is_bounded_and_keeps_its_beginning(tmp_path: Path) -> None:
     last = [one for name in files for one in read_trace(name).records][-1]
     numbers = {int.from_bytes(one.data[:2], "big") for one in read_trace(path).records}
     assert 99 in numbers or int.from_bytes(last.data[:2], "big") == 99
+
+
+def test_an_earlier_recording_keeps_its_name_and_its_content(tmp_path: Path) -> None:
+    path = tmp_path / "a.wire"
+    for limit in (LIMIT_BYTES, 1000, LIMIT_BYTES):
+        said = recorded(path, limit_bytes=limit)
+        if limit == LIMIT_BYTES:
+            newest = max(tmp_path.glob("a*.wire"), key=lambda one: one.stat().st_mtime_ns)
+            assert [(one.kind, one.data) for one in read_trace(newest).records] == said
+    names = {one.name for one in tmp_path.iterdir()}
+    assert names >= {"a.wire", "a-2.wire.1", "a-3.wire"}, names
+
+
+def test_a_file_that_is_being_made_is_readable_at_any_time(tmp_path: Path) -> None:
+    path, stopped, unread = tmp_path / "a.wire", threading.Event(), list[str]()
+
+    def read() -> None:
+        while not stopped.is_set():
+            for one in tmp_path.glob("[!.]*"):
+                try:
+                    read_trace(one)
+                except TraceError as error:
+                    if one.exists():  # it was not renamed in between
+                        unread.append(str(error))
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    for _ in range(100):
+        recorded(path, 2)
+    stopped.set()
+    reader.join(10.0)
+    assert not unread
+    assert len(list(tmp_path.iterdir())) == 100
+
+
+@pytest.mark.parametrize("by", ["file", "key"])
+def test_every_connection_has_a_recording_of_its_own(tmp_path: Path, by: str) -> None:
+    recording = WireRecording(tmp_path, tmp_path / "line.wire" if by == "file" else None)
+    driver = load_driver("gsv8")
+    for port in ("loop://1", "loop://2", "loop://2"):
+        recording.attach("daq", port, by == "key", driver, {})
+        for recorder in recorders_of("daq", port):
+            recorder.sent(port.encode())
+    recording.attach("oil", "loop://3", False, driver, {})
+    recording.end()
+    assert not [port for port in ("loop://1", "loop://2", "loop://3") if recorders_of("daq", port)]
+    folder = tmp_path if by == "file" else tmp_path / "wire"
+    kept = [read_trace(one).records for one in folder.iterdir()]
+    assert sorted(one.data for (one,) in kept) == [b"loop://1", b"loop://2", b"loop://2"]
+    if by == "file":
+        names = {one.name for one in folder.iterdir()}
+        assert names == {"line-daq.wire", "line-daq-2.wire", "line-daq-3.wire"}
 
 
 def test_a_cut_file_gives_what_is_before_and_one_sentence_for_every_cut(tmp_path: Path) -> None:
