@@ -7,8 +7,8 @@ orders may be hidden by the resolution of the counts.
 
 from __future__ import annotations
 
-import operator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -207,6 +207,14 @@ def _residual_motion(unwrapped: Array, smooth: Array, quantum: float) -> tuple[A
     return np.where(spikes, near, residual), 0.0
 
 
+class _Span(NamedTuple):
+    """Span of the residuals about a line of a slope, and how it changes with the slope."""
+
+    slope: float
+    span: float
+    change: float
+
+
 def _line_of_least_span(residual: Array, quantum: float) -> Array:
     """Return the line with the least span of residuals; one count at a constant speed.
 
@@ -215,24 +223,25 @@ def _line_of_least_span(residual: Array, quantum: float) -> Array:
     """
     tau = np.linspace(-1.0, 1.0, len(residual))
 
-    def touching(slope: float) -> tuple[float, float, float]:
-        """Return a slope, the span there, and how the span changes with it."""
+    def span_at(slope: float) -> _Span:
         straight = residual - slope * tau
-        top, bottom = int(straight.argmax()), int(straight.argmin())
-        return slope, float(straight[top] - straight[bottom]), float(tau[bottom] - tau[top])
+        top, bottom = straight.argmax(), straight.argmin()
+        span, change = straight[top] - straight[bottom], tau[bottom] - tau[top]
+        return _Span(slope, float(span), float(change))
 
-    low, high = touching(-quantum), touching(quantum)
-    best = min(low, high, key=operator.itemgetter(1))
+    low, high = span_at(-quantum), span_at(quantum)
+    best = low if low.span <= high.span else high
     for _ in range(LINE_STEPS):
-        if low[2] >= 0.0 or high[2] <= 0.0:
+        if low.change >= 0.0 or high.change <= 0.0:
             break
-        slope = (high[1] - low[1] + low[2] * low[0] - high[2] * high[0]) / (low[2] - high[2])
-        bound = low[1] + low[2] * (slope - low[0])
-        best = middle = touching(slope)
-        if middle[1] <= bound + LINE_RESOLUTION * quantum:
+        slope = high.span - low.span + low.change * low.slope - high.change * high.slope
+        slope /= low.change - high.change
+        bound = low.span + low.change * (slope - low.slope)
+        best = span_at(slope)
+        if best.span <= bound + LINE_RESOLUTION * quantum:
             break
-        low, high = (middle, high) if middle[2] < 0.0 else (low, middle)
-    return np.asarray(best[0] * tau)
+        low, high = (best, high) if best.change < 0.0 else (low, best)
+    return np.asarray(best.slope * tau)
 
 
 def _widest_gap(residual: Array, quantum: float) -> float:

@@ -82,12 +82,12 @@ class Subscription:
     def add_row(self, row: Array, index: int, cycle: Any) -> None:
         """Add a row, its index in the file and a function that returns its complete cycle."""
         with self._lock:
-            known = self.waits
+            waited = self.waits
             self.rows_dropped += len(self._rows) == self._rows.maxlen
             self._rows.append(row)
             self._next_row = index + 1
             self._cycle = cycle
-        if not known:
+        if not waited:
             self.on_news()
 
     def add_prediction(
@@ -95,11 +95,11 @@ class Subscription:
     ) -> None:
         """Add a prediction, and a new worn profile, if any."""
         with self._lock:
-            known = self.waits
+            waited = self.waits
             self._predictions.append(values)
             self._prediction = prediction
             self._profile = profile or self._profile
-        if not known:
+        if not waited:
             self.on_news()
 
     @property

@@ -53,7 +53,6 @@ class Pulse:
         self._look = look
         self.look.timeout.connect(look)
         self._part.timeout.connect(draw_part)
-        self._on = on
         self._notifier: QSocketNotifier | None = None
         self.rhythm: Rhythm | None = None
         self.keep(IN_TEST)
@@ -76,7 +75,7 @@ class Pulse:
             self._notifier.deleteLater()
             self._notifier = None
         if handle is not None:
-            self._notifier = QSocketNotifier(handle, QSocketNotifier.Type.Read, self._on)
+            self._notifier = QSocketNotifier(handle, QSocketNotifier.Type.Read, self.look)
             self._notifier.activated.connect(lambda: self._look())
             self._notify()
 
