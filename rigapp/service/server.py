@@ -17,6 +17,7 @@ import queue
 import socket as os_socket
 import threading
 import time
+from collections import Counter
 from collections.abc import Callable, Iterable
 from contextlib import suppress
 from pathlib import Path
@@ -51,6 +52,9 @@ PARTS = 8
 """Maximum number of parts of a message; a request has two or three, each received in 1 us."""
 SETTLE_S = 1.0
 """Time for libzmq, which frees the parts in a separate thread; quick requests end meanwhile."""
+LOOKS, LOOK_S = 10, 0.002
+"""Looks at the unread data of a connection, and the time between them. libzmq reads faster than
+many a program sends, so that a single look finds nothing; it reads a request within one."""
 
 log = logging.getLogger(__name__)
 Socket = zmq.Socket[bytes]
@@ -106,7 +110,7 @@ class Connections:
             return
         if self._grown_s == math.inf:
             self._grown_s, self._settled_s = now_s, now_s + SETTLE_S
-        guilty = {handle for handle in self._accepted_s if _sends(handle)}
+        guilty = _senders(self._accepted_s)
         if not guilty and not busy and now_s > self._settled_s:
             guilty = {one for one, since_s in self._accepted_s.items() if since_s < self._grown_s}
             self._settled_s = now_s + SETTLE_S
@@ -136,6 +140,15 @@ class Connections:
                     connection.detach()  # libzmq closes it
 
 
+def _senders(handles: Iterable[int]) -> set[int]:
+    """Return the connections that keep sending; takes a fiftieth of a second."""
+    seen = Counter[int]()
+    for _ in range(LOOKS):
+        seen.update(handle for handle in handles if _sends(handle))
+        time.sleep(LOOK_S)
+    return {handle for handle, looks in seen.items() if looks > 1}
+
+
 def _sends(handle: int) -> bool:
     """Return whether a connection has unread data, which is rare for a viewer."""
     try:
@@ -161,7 +174,7 @@ SUBSCRIPTION_BYTES = 1024  # a CurveZMQ handshake takes about 300
 VIEWERS = 64
 """Maximum number of viewers of snapshots; a rig has a few windows and a page."""
 PUBLISH_PERIOD_S = 0.05  # smooth live values
-MEMORY_PERIOD_S = 0.05  # a sender on this computer fills 30 MB meanwhile
+MEMORY_PERIOD_S = 0.05  # a quick sender on this computer fills 90 MB meanwhile
 EARLY_PERIOD_S = 0.1
 """Period in which two snapshots are sent early: of a revolution that has just ended, and of its
 prediction. A real rig is slower; a faster simulated one is limited by this period."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
 import random
@@ -30,7 +31,7 @@ from rigapp.service.bounds import MESSAGE_BYTES
 from rigapp.service.client import Client, EngineUnreachable
 from rigapp.service.host import EngineHost
 from rigapp.service.registry import running_engines
-from rigapp.service.server import Connections
+from rigapp.service.server import LOOKS, Connections
 
 BATCH = 40
 SAFETY_VERBS = {name for name, verb in VERBS.items() if verb.lane is Priority.SAFETY}
@@ -383,6 +384,35 @@ def test_a_request_sent_while_memory_is_being_freed_is_not_ended(
                 assert connections._usual == used.rss, "none of the connections holds the memory"
                 assert viewer.send(b"")
             sender.close()
+    context.destroy(linger=0)
+
+
+@pytest.mark.parametrize(("every", "ended"), [(1, True), (4, True), (LOOKS, False)])
+def test_a_program_that_sends_more_slowly_than_it_is_read_is_found(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, every: int, ended: bool
+) -> None:
+    """every: looks of which one finds unread data; a request is found by one of them all."""
+    looks = itertools.count(1)
+    used = SimpleNamespace(rss=10 * GROWTH_BYTES)
+    monkeypatch.setattr("rigapp.service.server._sends", lambda handle: next(looks) % every == 0)
+    monkeypatch.setattr("rigapp.service.server.GROWTH_BYTES", GROWTH_BYTES)
+    context = zmq.Context()
+    with context.socket(zmq.ROUTER) as router:
+        connections = Connections([router])
+        monkeypatch.setattr(connections, "_process", SimpleNamespace(memory_info=lambda: used))
+        address = f"ipc://{tmp_path}/commands"
+        router.bind(address)
+        connections._usual = used.rss
+
+        def known() -> bool:
+            connections.bound_memory(0.0, busy=False)
+            return bool(connections._accepted_s)
+
+        with closing(RawPeer(address, b"DEALER")) as peer:
+            until(known, "the connection is known")
+            used.rss += 2 * GROWTH_BYTES
+            connections.bound_memory(1.0, busy=False)
+            assert peer.send(b"") is not ended
     context.destroy(linger=0)
 
 
