@@ -13,6 +13,8 @@ import pytest
 from scipy import stats
 
 from rigapp_calibration.load_cell.calibrate import calibrate_load_cell
+from rigapp_calibration.load_cell.scatter import SeriesScores
+from tests.calibration import virtual_mistakes
 from tests.calibration.simulated_cell import SETTINGS, Cell, take
 from tests.calibration.virtual_calibrations import SCENARIOS, coverage
 
@@ -48,6 +50,28 @@ def test_nothing_counts_twice() -> None:
     names = {one.name for one in found.by_load[-1].across.contributions}
     assert {"angle reference", "fit", "repeatability"} <= names
     assert not any("resolution" in name for name in names)
+
+
+def test_series_that_agree_exactly_have_a_variance_of_zero_not_a_negative_one() -> None:
+    """Four series on a coarse, quiet display may agree in a coefficient to the last bit."""
+    one = np.ones((1, 1, 1))
+    scores = SeriesScores(
+        scores=np.zeros((1, 1, 1)),
+        covariance=np.array([[-1e-18]]),  # of a product of matrices, by rounding
+        influence=one,
+        spread=np.zeros((1, 1)),
+        shape=one,
+        rest=np.zeros((1, 2)),
+        free=1,
+    )
+    assert scores.variance(np.ones(1)) == (0.0, 1.0)
+
+
+def test_a_quiet_cell_on_a_coarse_display_is_calibrated() -> None:
+    kind = virtual_mistakes.KINDS["4 angles, quiet coarse, drift"]
+    readings = virtual_mistakes.take(kind, np.random.default_rng((11, 159))).readings
+    found = calibrate_load_cell(readings, virtual_mistakes.SETTINGS)
+    assert all(0.0 < one.expanded < 1.0 for one in found.elements)
 
 
 def test_a_mean_of_fine_readings_has_a_small_uncertainty() -> None:

@@ -245,7 +245,7 @@ class SeriesScores:
         count = len(self.scores)
         weight = combination @ self.influence
         form = weight.T @ weight
-        variance = float(np.sum(self.covariance * form))
+        variance = max(0.0, float(np.sum(self.covariance * form)))  # -1e-18 by rounding
         size = len(form)
         shaped = self.spread.reshape(count, size, count, size) @ form
         expected = float(np.einsum("jsjs->", shaped))
