@@ -74,6 +74,25 @@ def test_a_quiet_cell_on_a_coarse_display_is_calibrated() -> None:
     assert all(0.0 < one.expanded < 1.0 for one in found.elements)
 
 
+@pytest.mark.parametrize("steps", [3, 4])
+def test_the_loop_is_in_u_with_the_fewest_loads_too(steps: int) -> None:
+    """Three loads, which are enough for a calibration, do not show how wide its loop is."""
+    rng = np.random.default_rng(5)
+    cell = Cell(noise=0.02, step=0.0, hysteresis=1.2)
+    found = calibrate_load_cell(take(cell, rng, steps=steps), SETTINGS)
+    assert not [one for one in found.problems if one.blocks]
+    middle = min(found.by_load, key=lambda one: abs(one.load - 200.0))
+    assert middle.magnitude.expanded > 0.5 * 1.2
+    rising = np.linalg.inv(cell.sensitivity)
+    held = [
+        abs(element - true) <= budget.expanded
+        for element, true, budget in zip(
+            found.fit.matrix.flat, rising.flat, found.elements, strict=True
+        )
+    ]
+    assert all(held)
+
+
 def test_a_mean_of_fine_readings_has_a_small_uncertainty() -> None:
     cell = Cell(noise=0.02, step=0.0)
     found = calibrate_load_cell(take(cell, np.random.default_rng(8), angles=12), SETTINGS)

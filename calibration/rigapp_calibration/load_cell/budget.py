@@ -234,7 +234,7 @@ def element_uncertainties(parts: Scatter, settings: LoadCellSettings) -> tuple[B
     matrix = parts.found.matrix
     turned = ACROSS @ matrix
     relative = relative_force_uncertainty(settings.weights, settings.place)
-    gain = parts.branches.gain()
+    gain = _gain_of_rising(parts, settings)
     budgets = []
     for row, column in np.ndindex(2, 2):
         size = abs(float(matrix[row, column]))
@@ -270,10 +270,19 @@ def matrix_covariance(parts: Scatter, settings: LoadCellSettings) -> Array:
     through = np.kron(np.eye(2), matrix.T)
     return np.asarray(
         through @ parts.scores.coefficients()[np.ix_(place, place)] @ through.T
-        + (relative**2 + parts.branches.gain() ** 2) * np.outer(scale, scale)
+        + (relative**2 + _gain_of_rising(parts, settings) ** 2) * np.outer(scale, scale)
         + settings.angle_uncertainty**2 * np.outer(turn, turn),
         dtype=np.float64,
     )
+
+
+def _gain_of_rising(parts: Scatter, settings: LoadCellSettings) -> float:
+    """Return the relative difference of the gain of rising loads from the fit's.
+
+    Too few loads show no branches: then it is half of the loop that the settings state.
+    """
+    known = len(parts.branches.coefficients) > 0
+    return parts.branches.gain() if known else 0.5 * settings.use.loop
 
 
 def _steps(parts: Scatter, settings: LoadCellSettings) -> tuple[float, float]:

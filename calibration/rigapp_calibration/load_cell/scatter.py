@@ -72,7 +72,8 @@ class Scatter:
     average out, as steps of the display in means do.
     zero_between, gain_between: of series, beyond the noise. drift: half the change of the zero
     during the calibration, beyond the noise. zeros: of the unloaded readings. shown: the
-    loads determine all terms of second degree; falling: loads were read from above as well.
+    loads determine all terms of second degree; falling: loads were read from above as well, and
+    are enough to show a loop.
     """
 
     found: TwoAxisFit
@@ -136,7 +137,7 @@ def scatter(found: TwoAxisFit, force: Array, seen: Loads, zeros: Zeros, per_run:
         gain_between=_between(scores, 1, noise, slice(0, 1)) / largest if enough else 0.0,
         drift=zeros.drift,
         shown=supported(force, Terms(quadratic=True, own_zeros=True)),
-        falling=not seen.rising.all(),
+        falling=bool(branches) and not seen.rising.all(),
     )
 
 
@@ -158,6 +159,8 @@ def _without_branches(
 
     rows (n, p): the fit's, which has followed part of the branches.
     """
+    if not branches:
+        return residual
     basis = np.linalg.qr(rows)[0]
     common = np.zeros((len(branches) * shapes.shape[1], *residual.shape))
     for place, members in enumerate(branches):

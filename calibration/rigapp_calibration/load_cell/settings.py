@@ -42,7 +42,8 @@ class Use:
     zeroed: the zero is taken before a test, so that that of the calibration is not used. Not shown
     by readings of the calibration, parts of full scale: cross_terms f1 f2 at full scale, of each
     bridge; nonlinearity, of the characteristic beyond the largest load; loop, the width of the
-    hysteresis where no falling loads were read, or the cycles in use are longer.
+    hysteresis where no falling loads were read, or too few to show it, or the cycles in use are
+    longer.
     """
 
     temperature: float = 0.0
