@@ -286,7 +286,9 @@ def _residuals(
     )
     root = np.append(np.repeat(np.sqrt(weights), 2), np.ones(len(known)))[:, None]
     rows = np.vstack((honest, prior)) * root
-    basis, size, _ = np.linalg.svd(rows / np.linalg.norm(rows, axis=0), full_matrices=False)
+    # An effect that these cells cannot have is a column of zeros, and of no size.
+    lengths = np.maximum(np.linalg.norm(rows, axis=0), 1e-300)
+    basis, size, _ = np.linalg.svd(rows / lengths, full_matrices=False)
     basis = basis[:, size > 1e-7]
     both = np.column_stack((cells.off.ravel(), columns))
     both = np.vstack((both, np.zeros((len(known), both.shape[1])))) * root
