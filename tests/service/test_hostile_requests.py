@@ -346,74 +346,71 @@ def test_a_viewer_that_sends_nothing_keeps_what_it_gets_when_another_takes_memor
         until(lambda: viewer.poll() is not None, "snapshots come again")
 
 
-def test_a_request_sent_while_memory_is_being_freed_is_not_ended(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    sending: set[int] = set()
-    used = SimpleNamespace(rss=10 * GROWTH_BYTES)
-    monkeypatch.setattr("rigapp.service.server._sends", lambda handle: handle in sending)
+class Grown:
+    """Connections of a process whose memory is what a test says."""
+
+    def __init__(self, address: str, router: zmq.Socket[bytes]) -> None:
+        self.address, self.used = address, SimpleNamespace(rss=10 * GROWTH_BYTES)
+        self.connections = Connections([router])
+        self.connections._usual = self.used.rss
+        router.bind(address)
+
+    def accepted(self, count: int, now_s: float) -> bool:
+        """Bound the memory; return whether so many connections are left."""
+        self.connections.bound_memory(now_s, busy=False)
+        return len(self.connections._accepted_s) == count
+
+
+@pytest.fixture
+def grown(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Grown]:
     monkeypatch.setattr("rigapp.service.server.GROWTH_BYTES", GROWTH_BYTES)
     context = zmq.Context()
     with context.socket(zmq.ROUTER) as router:
-        connections = Connections([router])
-        monkeypatch.setattr(connections, "_process", SimpleNamespace(memory_info=lambda: used))
-        address = f"ipc://{tmp_path}/commands"
-        router.bind(address)
-        connections._usual = used.rss
-        connections.bound_memory(0.0, busy=False)
-
-        def accepted(count: int, now_s: float) -> bool:
-            connections.bound_memory(now_s, busy=False)
-            return len(connections._accepted_s) == count
-
-        with closing(RawPeer(address, b"DEALER")) as silent:
-            until(lambda: accepted(1, 1.0), "the first connection is known")
-            sender = RawPeer(address, b"DEALER")
-            until(lambda: accepted(2, 1.0), "the second connection is known")
-            sending.add(max(connections._accepted_s))
-            used.rss = 13 * GROWTH_BYTES
-            until(lambda: accepted(1, 2.0), "the one that sends is ended")
-            sending.clear()
-            assert accepted(1, 2.9), "nobody is ended while memory is being freed"
-            with closing(RawPeer(address, b"DEALER")) as viewer:
-                until(lambda: accepted(2, 2.9), "a viewer sends a request")
-                until(lambda: accepted(1, 3.5), "the connection from before the growth is ended")
-                assert not silent._socket.recv(1), "the silent one"
-                assert accepted(1, 4.0), "the viewer keeps its connection"
-                assert accepted(1, 5.0), "the viewer keeps its connection"
-                assert connections._usual == used.rss, "none of the connections holds the memory"
-                assert viewer.send(b"")
-            sender.close()
+        grown = Grown(f"ipc://{tmp_path}/commands", router)
+        process = SimpleNamespace(memory_info=lambda: grown.used)
+        monkeypatch.setattr(grown.connections, "_process", process)
+        yield grown
     context.destroy(linger=0)
+
+
+def test_a_request_sent_while_memory_is_being_freed_is_not_ended(
+    grown: Grown, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sending: set[int] = set()
+    monkeypatch.setattr("rigapp.service.server._sends", lambda handle: handle in sending)
+    with closing(RawPeer(grown.address, b"DEALER")) as silent:
+        until(lambda: grown.accepted(1, 1.0), "the first connection is known")
+        sender = RawPeer(grown.address, b"DEALER")
+        until(lambda: grown.accepted(2, 1.0), "the second connection is known")
+        sending.add(max(grown.connections._accepted_s))
+        grown.used.rss = 13 * GROWTH_BYTES
+        until(lambda: grown.accepted(1, 2.0), "the one that sends is ended")
+        sending.clear()
+        assert grown.accepted(1, 2.9), "nobody is ended while memory is being freed"
+        with closing(RawPeer(grown.address, b"DEALER")) as viewer:
+            until(lambda: grown.accepted(2, 2.9), "a viewer sends a request")
+            until(lambda: grown.accepted(1, 3.5), "the connection from before the growth is ended")
+            assert not silent._socket.recv(1), "the silent one"
+            assert grown.accepted(1, 4.0), "the viewer keeps its connection"
+            assert grown.accepted(1, 5.0), "the viewer keeps its connection"
+            usual = grown.connections._usual
+            assert usual == grown.used.rss, "none of the connections holds the memory"
+            assert viewer.send(b"")
+        sender.close()
 
 
 @pytest.mark.parametrize(("every", "ended"), [(1, True), (4, True), (LOOKS, False)])
 def test_a_program_that_sends_more_slowly_than_it_is_read_is_found(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, every: int, ended: bool
+    grown: Grown, monkeypatch: pytest.MonkeyPatch, every: int, ended: bool
 ) -> None:
     """every: looks of which one finds unread data; a request is found by one of them all."""
     looks = itertools.count(1)
-    used = SimpleNamespace(rss=10 * GROWTH_BYTES)
     monkeypatch.setattr("rigapp.service.server._sends", lambda handle: next(looks) % every == 0)
-    monkeypatch.setattr("rigapp.service.server.GROWTH_BYTES", GROWTH_BYTES)
-    context = zmq.Context()
-    with context.socket(zmq.ROUTER) as router:
-        connections = Connections([router])
-        monkeypatch.setattr(connections, "_process", SimpleNamespace(memory_info=lambda: used))
-        address = f"ipc://{tmp_path}/commands"
-        router.bind(address)
-        connections._usual = used.rss
-
-        def known() -> bool:
-            connections.bound_memory(0.0, busy=False)
-            return bool(connections._accepted_s)
-
-        with closing(RawPeer(address, b"DEALER")) as peer:
-            until(known, "the connection is known")
-            used.rss += 2 * GROWTH_BYTES
-            connections.bound_memory(1.0, busy=False)
-            assert peer.send(b"") is not ended
-    context.destroy(linger=0)
+    with closing(RawPeer(grown.address, b"DEALER")) as peer:
+        until(lambda: grown.accepted(1, 0.0), "the connection is known")
+        grown.used.rss += 2 * GROWTH_BYTES
+        grown.connections.bound_memory(1.0, busy=False)
+        assert peer.send(b"") is not ended
 
 
 def test_a_message_of_many_parts_ends_its_connection(client: Client) -> None:
