@@ -18,7 +18,7 @@ import socket as os_socket
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -140,7 +140,7 @@ class Connections:
                     connection.detach()  # libzmq closes it
 
 
-def _senders(handles: Iterable[int]) -> set[int]:
+def _senders(handles: Collection[int]) -> set[int]:
     """Return the connections that keep sending; takes a fiftieth of a second."""
     seen = Counter[int]()
     for _ in range(LOOKS):

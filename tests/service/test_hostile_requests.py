@@ -356,7 +356,7 @@ class Grown:
         router.bind(address)
 
     def accepted(self, count: int, now_s: float) -> bool:
-        """Bound the memory; return whether so many connections are left."""
+        """Bound the memory; return whether ``count`` connections are left."""
         self.connections.bound_memory(now_s, busy=False)
         return len(self.connections._accepted_s) == count
 
